@@ -66,6 +66,7 @@ text g.mesh.vtp '<VTKFile type="PolyData"><AppendedData>_</AppendedData></VTKFil
 text h.mesh.vtp '<VTKFile type="PolyData"></VTKFile>;<!-- a'
 text words.txt '0 1 2'
 text nothing.txt '# nothing'
+text spaced.txt '1 0 0'
 text line.obj 'v 0 0 0;v 1 0 0;l 1 2'
 text half.obj 'v 0.25 0 0;v 0.25 0.125 0;l 1 2'
 text across.obj 'v 0 0 0;v 5 0 0;l 1 2'
@@ -241,6 +242,7 @@ calls <<'TABLE'
 2 | is not connected to the one before | distance two_triangles.mesh.off --curve across.obj -o a.ply
 2 | inside.txt: has values for 1 of 25 vertices | transfer flat.mesh.off --data inside.txt -o a.txt
 2 | nothing.txt: has no points | transfer flat.mesh.off --points nothing.txt -o a.txt
+2 | spaced.txt: line 1: '0' follows a point; coordinates have commas and no blanks between them, such as 1,0,2.5 | transfer flat.mesh.off --points spaced.txt -o a.txt
 2 | there is no vertex 99 to be a source; the vertices are 0 to 24 | distance flat.mesh.off --source 99 -o a.ply
 2 | --exact: --solver cetm makes no triangulation Delaunay | flatten flat.mesh.off -o a.obj --exact --solver cetm
 2 | --max-log-scale is for --cones greedy or exchanged, not for --cones none | flatten flat.mesh.off -o a.obj --max-log-scale 3 --cones none
