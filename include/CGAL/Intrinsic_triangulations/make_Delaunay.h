@@ -126,15 +126,6 @@ Edge_stack doubtful_edges(const Delta_complex& mesh, const Flipping& flipping,
   return stack;
 }
 
-// States whether ties are proven with any number of square roots, which can take seconds each, or
-// with a few. With a few, an edge counts as a tie if 1024 binary digits do not distinguish it from
-// a tie.
-enum class Tie_decisions
-{
-  exact,
-  by_digits
-};
-
 // Flips as the decisions of `flipping` require.
 template <typename Flipping, typename Visitor>
 Flipping_result flip_to_Delaunay(const Delta_complex& mesh, Flipping& flipping, std::size_t limit,
@@ -204,15 +195,12 @@ bool are_exact_decisions_wanted(const NamedParameters& np)
 // If this fails, repeats it once with a hundred times as many steps.
 template <typename Traits, typename Visitor>
 Flipping_result flip_filtered(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
-                              double effort, Visitor& visitor, Concurrency concurrency,
-                              Tie_decisions ties = Tie_decisions::exact)
+                              double effort, Visitor& visitor, Concurrency concurrency)
 {
   typedef Flipping_result::End End;
   Flipping_result result;
   for(double factor : {1, 100}) {
     Exact_flipping<Traits> flipping(tri, factor * effort);
-    if(ties == Tie_decisions::by_digits)
-      flipping.decisions().allow_roots();
     if(flipping.has_unknown_lengths() &&
        (flipping.has_too_many_crossings() || !flipping.find_lengths()))
       break;
@@ -261,18 +249,17 @@ void restart_from_input(Intrinsic_triangulation<Traits>& tri, Visitor& visitor)
 // Decides exactly which edges are Delaunay, and restarts from T1 if edges are bent.
 template <typename Traits, typename Visitor>
 Flipping_result flip_exactly(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
-                             Visitor& visitor, Concurrency concurrency,
-                             Tie_decisions ties = Tie_decisions::exact)
+                             Visitor& visitor, Concurrency concurrency)
 {
   const double no_limit = std::numeric_limits<double>::infinity();
-  Flipping_result result = flip_filtered(tri, limit, no_limit, visitor, concurrency, ties);
+  Flipping_result result = flip_filtered(tri, limit, no_limit, visitor, concurrency);
   if(result.end == Flipping_result::End::doubt) {
     if(!can_be_reset(tri))
       throw Numerical_error(
         "an edge is bent, and constrained edges that are not in the input prevent a restart");
     restart_from_input(tri, visitor);
     result.is_exact = true;
-    result += flip_filtered(tri, limit - result.flips, no_limit, visitor, concurrency, ties);
+    result += flip_filtered(tri, limit - result.flips, no_limit, visitor, concurrency);
   }
   check_flip_limit(result.end == Flipping_result::End::limit);
   return result;
@@ -285,8 +272,8 @@ Flipping_result flip_in_exact_metric(Intrinsic_triangulation<Traits>& tri, std::
                                      Visitor& visitor, Concurrency concurrency)
 {
   const std::size_t most = flips_in_exact_metric(tri.mesh().number_of_edges());
-  Flipping_result result = flip_filtered(tri, (std::min)(limit, most), exact_metric_effort(),
-                                         visitor, concurrency, Tie_decisions::by_digits);
+  Flipping_result result =
+    flip_filtered(tri, (std::min)(limit, most), exact_metric_effort(), visitor, concurrency);
   if(result.is_Delaunay()) {
     Exact_flipping<Traits>(tri).recompute_lengths(rounding_unit<double>() / 2);
     result.is_exact = true;
@@ -363,8 +350,9 @@ Flipping_result make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t 
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{exact_decisions}
 ///     \cgalParamDescription{whether all decisions are exact, with lengths of type `double`, too;
-///       lengths are then correct to a relative error of \f$2^{-40}\f$. An edge that
-///       `certify_Delaunay()` reports as undecided is kept. Traits that are derived from
+///       lengths are then correct to a relative error of \f$2^{-40}\f$. An edge that depends on
+///       more than two square roots, and that 1024 bits leave undecided, counts as a tie, and is
+///       kept. `certify_Delaunay()` decides it. Traits that are derived from
 ///       `Euclidean_geometry_traits<double>` must inherit its strip, its lengths and distances, its
 ///       convexity and its Delaunay condition: otherwise this does not compile}
 ///     \cgalParamType{`bool`}
@@ -427,8 +415,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 CGAL_INTRINSIC_TRIANGULATIONS_COMPILED template Flipping_result
 make_Delaunay(Intrinsic_triangulation<>&, std::size_t, Default_flip_visitor&, Concurrency);
 CGAL_INTRINSIC_TRIANGULATIONS_COMPILED template Flipping_result
-flip_exactly(Intrinsic_triangulation<>&, std::size_t, Default_flip_visitor&, Concurrency,
-             Tie_decisions);
+flip_exactly(Intrinsic_triangulation<>&, std::size_t, Default_flip_visitor&, Concurrency);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 #endif

@@ -394,7 +394,7 @@ private:
     if(has_radii())
       m_number_of_flips = m_circles.flip(m_triangulation, m_original, m_has_exact_flips, record);
     else if(m_has_exact_flips)
-      m_number_of_flips = flip_exactly(m_triangulation, m_is_exact, record);
+      m_number_of_flips = flip_exactly(m_triangulation, record);
     else
       m_number_of_flips = Intrinsic_triangulations::make_Delaunay(
         m_triangulation, Intrinsic_triangulations::parameters::visitor(std::ref(record)));

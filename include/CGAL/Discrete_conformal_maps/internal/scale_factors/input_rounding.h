@@ -59,17 +59,13 @@ enum class Exactness
   decisions
 };
 
-// Flips to Delaunay by exact decisions, and returns the number of flips. Unless `decides_ties`, an
-// edge counts as a tie if 1024 binary digits do not distinguish it from a tie.
+// Flips to Delaunay by exact decisions, and returns the number of flips.
 template <typename Visitor>
-std::size_t flip_exactly(Intrinsic_triangulations::Intrinsic_triangulation<>& t, bool decides_ties,
-                         Visitor& visitor)
+std::size_t flip_exactly(Intrinsic_triangulations::Intrinsic_triangulation<>& t, Visitor& visitor)
 {
   using namespace Intrinsic_triangulations;
-  using Intrinsic_triangulations::internal::Tie_decisions;
   return Intrinsic_triangulations::internal::flip_exactly(
-           t, default_flip_limit(t.mesh().num_edges()), visitor, Concurrency(),
-           decides_ties ? Tie_decisions::exact : Tie_decisions::by_digits)
+           t, default_flip_limit(t.mesh().num_edges()), visitor, Concurrency())
     .flips;
 }
 
