@@ -59,9 +59,10 @@ enum class Level
 /// of crossings on an edge of the fine level, not the rounded positions. Positions are rounded, and
 /// in order along every edge. An edge of the coarse level runs through each vertex that it passes
 /// within rounding. It runs along an edge of the fine level if it runs through both ends. Where
-/// vertices are closer than rounding, such edges may cross each other; then edges are traced with
-/// 32 digits, and at last with 60. Between other edges that nearly coincide, polygons can have
-/// areas as small as rounding, of either sign (see `signed_area()`). They may have only two sides.
+/// vertices are closer than rounding, such edges may cross each other. Then no edge is moved to a
+/// vertex, or edges are traced with 32 digits, and at last with 60. Between other edges that nearly
+/// coincide, polygons can have areas as small as rounding, of either sign (see `signed_area()`).
+/// They may have only two sides.
 ///
 /// The object refers to the levels of the map, and is valid during their lifetime.
 ///
@@ -94,10 +95,11 @@ public:
   explicit Surface_subdivision(const Surface_map& map, Bends bends = Bends::of_coarse_edges)
     : Surface_subdivision(Empty(), map)
   {
-    using internal::Tracing_digits;
-    if(!succeeds(map, bends, Tracing_digits::of_double) &&
-       !succeeds(map, bends, Tracing_digits::of_double_double))
-      build(map, bends, Tracing_digits::decimal_60);
+    using internal::Tracing_mode;
+    if(!succeeds(map, bends, Tracing_mode::through_near_vertices) &&
+       !succeeds(map, bends, Tracing_mode::in_double) &&
+       !succeeds(map, bends, Tracing_mode::in_double_double))
+      build(map, bends, Tracing_mode::in_60_digits);
   }
 
   /// returns one of the levels.
@@ -173,18 +175,18 @@ private:
     : Base({&map.fine().mesh(), &map.coarse().mesh()}), m_levels{&map.fine(), &map.coarse()}
   {}
 
-  void build(const Surface_map& map, Bends bends, internal::Tracing_digits digits)
+  void build(const Surface_map& map, Bends bends, internal::Tracing_mode mode)
   {
-    const internal::Marked_fine_edges edges(map, bends == Bends::of_all_edges, digits);
+    const internal::Marked_fine_edges edges(map, bends == Bends::of_all_edges, mode);
     Builder(edges, *this).build();
   }
 
-  // Returns whether rounding to these digits lets no edges cross each other. Otherwise the
+  // Returns whether no edges cross each other in this mode. Otherwise the
   // subdivision is empty again.
-  bool succeeds(const Surface_map& map, Bends bends, internal::Tracing_digits digits)
+  bool succeeds(const Surface_map& map, Bends bends, internal::Tracing_mode mode)
   {
     try {
-      build(map, bends, digits);
+      build(map, bends, mode);
       return true;
     } catch(const Intrinsic_triangulations::Numerical_error&) {
       *this = Surface_subdivision(Empty(), map);

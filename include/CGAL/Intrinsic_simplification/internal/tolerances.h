@@ -11,7 +11,6 @@
 
 #include <cstddef>
 #include <limits>
-#include <type_traits>
 
 namespace CGAL::Intrinsic_simplification::internal {
 
@@ -26,14 +25,6 @@ template <typename FT = double>
 double rounding()
 {
   return 16 * static_cast<double>(Intrinsic_triangulations::rounding_unit<FT>());
-}
-
-// Returns what replaces a part of an edge or face that rounding has made zero. The map of an
-// operation is one-to-one only if no part is zero. In `double`, edges run through vertices then.
-template <typename FT>
-double least_part()
-{
-  return std::is_same_v<FT, double> ? 0 : rounding_unit();
 }
 
 // Returns the rounding error of the sum of this number of angles. Each angle is rounded to a unit

@@ -18,6 +18,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Intrinsic_simplification::internal {
@@ -32,23 +34,33 @@ struct Traced_segment
 
 typedef Traced_segment<double> Curve_segment;
 
-// States the numbers with which edges are traced. Each type has more digits than the one before.
-enum class Tracing_digits
+// States how edges are traced: with numbers of type `double` through all vertices within rounding,
+// without moving edges to vertices, or with more digits. Each takes longer than the one before.
+enum class Tracing_mode
 {
-  of_double,
-  of_double_double,
-  decimal_60
+  through_near_vertices,
+  in_double,
+  in_double_double,
+  in_60_digits
 };
 
-// Calls f(x), where `x` is of the type of number with these digits.
+// Calls f(x), where `x` is of the type of number of this mode.
 template <typename Function>
-auto with_number(Tracing_digits digits, const Function& f)
+auto with_number(Tracing_mode mode, const Function& f)
 {
-  switch(digits) {
-    case Tracing_digits::of_double: return f(0.);
-    case Tracing_digits::of_double_double: return f(Intrinsic_triangulations::Double_double());
-    default: return f(Intrinsic_triangulations::Decimal_float<60>());
+  switch(mode) {
+    case Tracing_mode::in_double_double: return f(Intrinsic_triangulations::Double_double());
+    case Tracing_mode::in_60_digits: return f(Intrinsic_triangulations::Decimal_float<60>());
+    default: return f(0.);
   }
+}
+
+// Returns the part of a homogeneous coordinate at which an edge runs through a vertex.
+inline double rounding(Tracing_mode mode)
+{
+  return mode == Tracing_mode::in_double
+           ? (std::numeric_limits<double>::min)()
+           : with_number(mode, [](auto number) { return rounding<decltype(number)>(); });
 }
 
 // Rounds a point to `double`.
@@ -91,7 +103,13 @@ class Curve_tracer
   typedef typename Vertex_sectors::Point Patch_point;
 
 public:
-  Curve_tracer(const Surface_map& map, bool forward) : m_route(map.route(forward)) {}
+  // The mode has numbers of type `FT`.
+  Curve_tracer(const Surface_map& map, bool forward,
+               Tracing_mode mode = Tracing_mode::through_near_vertices)
+    : m_route(map.route(forward)),
+      m_rounding(internal::rounding(mode)),
+      m_least_part(mode == Tracing_mode::through_near_vertices ? 0 : rounding_unit())
+  {}
 
   // Traces the edge of `h`, a halfedge of the level where the curve starts, from its source to its
   // target. Faces have the indices of the evolving surface.
@@ -249,7 +267,7 @@ private:
 
   void pass(const Flip& flip, const Segment& s)
   {
-    const Recorded_flip turn(flip, m_route.is_forward(), least_part<FT>());
+    const Recorded_flip turn(flip, m_route.is_forward(), m_least_part);
     const Patch_face face = turn.before(turn.has_r(s.face));
     const Patch_point from = face.in_patch(s.from), to = face.in_patch(s.to);
     const int from_side = turn.side(from), to_side = turn.side(to);
@@ -263,7 +281,7 @@ private:
 
   void pass(const Vertex_change& change, const Segment& s)
   {
-    const Vertex_sectors sectors(change, least_part<FT>());
+    const Vertex_sectors sectors(change, m_least_part);
     if(m_route.is_forward() == sectors.is_insertion())
       return insert_vertex(sectors, s);
     const Patch_face face = sectors[sectors.sector_of(s.face)];
@@ -285,8 +303,7 @@ private:
     const std::size_t outgoing = one_ahead ? (from.last + 1) % 3 : from.first;
     using std::abs;
     auto [point, excess] = sectors.on_line(outgoing, x, y);
-    if(sectors.is_border() ? Vertex_sectors::is_on_border_side(x, y)
-                           : abs(excess) <= rounding<FT>())
+    if(sectors.is_border() ? Vertex_sectors::is_on_border_side(x, y) : abs(excess) <= m_rounding)
       return pass_through_vertex(sectors, from, point, to);
     const bool is_ahead = one_ahead == (excess > 0 || sectors.is_border());
     pass_outgoing_halfedges(sectors, is_ahead, {x, y}, from, to);
@@ -405,6 +422,8 @@ private:
     std::is_same_v<FT, Intrinsic_triangulations::Double_double> ? 50000000 : 10000000;
 
   Route m_route;
+  double m_rounding;
+  double m_least_part;          // replaces a part of an edge or face that rounding has made zero
   std::size_t m_operations = 0; // on pieces
   std::vector<char> m_is_bend;  // of each point
   std::vector<Timed_segment> m_carried, m_stack;

@@ -35,15 +35,15 @@ public:
   typedef Intrinsic_triangulations::Edge_marks Edge_marks;
 
   // Finds the marks, with or without bends of edges of the fine level on the coarse surface. Edges
-  // of the coarse level are traced with these digits.
-  Marked_fine_edges(const Surface_map& map, bool with_fine_bends, Tracing_digits digits)
+  // of the coarse level are traced in this mode.
+  Marked_fine_edges(const Surface_map& map, bool with_fine_bends, Tracing_mode mode)
     : m_map(map),
       m_fine(map.fine().mesh()),
-      m_digits(digits),
-      m_rounding(with_number(digits, [](auto number) { return rounding<decltype(number)>(); })),
+      m_mode(mode),
+      m_rounding(rounding(mode)),
       m_number_of_vertices(m_fine.number_of_vertices())
   {
-    Traced_curves traced(map, digits);
+    Traced_curves traced(map, mode);
     order_crossings(traced);
     number_new_vertices();
     m_is_along.assign(m_fine.number_of_edges(), 0);
@@ -58,7 +58,7 @@ public:
   }
 
   const Surface_map& map() const { return m_map; }
-  Tracing_digits digits() const { return m_digits; }
+  Tracing_mode mode() const { return m_mode; }
   Curve_index number_of_vertices() const { return m_number_of_vertices; }
   bool is_fine_vertex(Vertex_index v) const { return v.idx() < m_fine.number_of_vertices(); }
 
@@ -317,7 +317,7 @@ private:
 
   const Surface_map& m_map;
   const Delta_complex& m_fine;
-  Tracing_digits m_digits;
+  Tracing_mode m_mode;
   double m_rounding;
   Curve_index m_number_of_vertices, m_first_fine_bend = no_index;
   std::vector<Vertex_index> m_vertex_of_coarse; // of each vertex of the coarse level

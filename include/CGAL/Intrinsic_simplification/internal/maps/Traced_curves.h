@@ -151,16 +151,16 @@ struct Traced_curves
   std::vector<Curve_index> first_piece; // of each edge of the coarse level, and the end
   std::vector<Curve_mark> marks;
 
-  Traced_curves(const Surface_map& map, Tracing_digits digits)
+  Traced_curves(const Surface_map& map, Tracing_mode mode)
   {
-    with_number(digits, [&](auto number) { trace<decltype(number)>(map); });
+    with_number(mode, [&](auto number) { trace<decltype(number)>(map, mode); });
   }
 
 private:
   template <typename FT>
-  void trace(const Surface_map& map)
+  void trace(const Surface_map& map, Tracing_mode mode)
   {
-    Curve_tracer<FT> tracer(map, false);
+    Curve_tracer<FT> tracer(map, false, mode);
     std::vector<FT> ratio; // of each mark
     for(Edge_index e : map.coarse().mesh().edges()) {
       first_piece.push_back(checked_index(pieces.size()));

@@ -70,10 +70,10 @@ inline double place_of_end(const Coarse_piece& piece)
 inline Level_point image_of_removed_vertex(Vertex_index v, const Marked_fine_edges& edges)
 {
   const Surface_map& map = edges.map();
-  if(edges.digits() == Tracing_digits::of_double)
+  if(edges.mode() == Tracing_mode::through_near_vertices)
     return image_of_vertex(v, map);
-  return with_number(edges.digits(), [&](auto number) {
-    Curve_tracer<decltype(number)> tracer(map, true);
+  return with_number(edges.mode(), [&](auto number) {
+    Curve_tracer<decltype(number)> tracer(map, true, edges.mode());
     const Curve_segment first =
       rounded(tracer.trace(Intrinsic_triangulations::first_outgoing_halfedge(v, map.fine().mesh()))
                 .front());
