@@ -77,7 +77,9 @@ inline Level_point image_of_removed_vertex(Vertex_index v, const Marked_fine_edg
     const Curve_segment first =
       rounded(tracer.trace(Intrinsic_triangulations::first_outgoing_halfedge(v, map.fine().mesh()))
                 .front());
-    return Surface_map::Location(map.coarse().level_face(first.face), first.from.weight);
+    Surface_map::Location p(map.coarse().level_face(first.face), first.from.weight);
+    normalize(p.second);
+    return p;
   });
 }
 
