@@ -106,6 +106,7 @@ struct Curve_mark
   Vertex_index vertex;
 };
 
+// Returns the indices of `n` marks, in their order.
 inline std::vector<Curve_index> indices(std::size_t n)
 {
   std::vector<Curve_index> result(n);
