@@ -17,7 +17,7 @@
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/path_on_input.h>
 #include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
-#include <CGAL/Intrinsic_triangulations/tangent_frames.h>
+#include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
 
@@ -325,7 +325,7 @@ private:
                                   const Trace& trace) const
   {
     const auto [degrees, length] = *m_options.straightest;
-    const double angle = degrees * (std::acos(-1.) / 180);
+    const double angle = degrees * (IT::pi<double>() / 180);
     const IT::Delta_complex& mesh = triangulation.input_mesh();
     const Place p = IT::surface_point(start, mesh);
     if(!IT::is_at_vertex(p)) {
@@ -333,12 +333,19 @@ private:
       return trace(start, face.direction(0) * std::polar(length, angle));
     }
     const Halfedge side = IT::halfedge_of(p);
-    const IT::Vertex_index v = mesh.source(side);
-    const IT::Tangent_frames<double> frames(triangulation.input());
-    const double normalized = frames.angle(side) + angle * frames.scale(v);
-    if(mesh.is_border(v) && std::abs(normalized - std::acos(-1.) / 2) > std::acos(-1.) / 2 + 1e-12)
+    return trace(mesh.source(side), vector_from(side, angle, start, triangulation));
+  }
+
+  // Returns the tangent vector at the source of `side` with this angle from it.
+  std::complex<double> vector_from(Halfedge side, double angle, const Surface_location& start,
+                                   const Triangulation& triangulation) const
+  {
+    try {
+      return IT::tangent_vector_at_angle(triangulation.input(), side, angle,
+                                         m_options.straightest->second);
+    } catch(const IT::Invalid_input&) {
       leads_out(start);
-    return trace(v, std::polar(length, normalized));
+    }
   }
 
   Found_path straightest_path(const Triangulation& triangulation) const

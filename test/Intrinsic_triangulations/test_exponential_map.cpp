@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/refine.h>
 #include <CGAL/Intrinsic_triangulations/tangent_frames.h>
 #include <CGAL/Intrinsic_triangulations/tangent_vector_across.h>
+#include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
 
 namespace Test_exponential_map {
 
@@ -124,6 +125,38 @@ void check_edges(Side side, const Triangulation& t)
     EXPECT_EQ(mesh.source(outgoing), mesh.target(h));
     const Complex arrival = IT::tangent_vector_at_vertex(t.surface(side), outgoing, g.direction);
     expect_close(arrival * std::abs(vector) / vector, frames.transport(h), 1e-11);
+  }
+}
+
+// Returns the angle of a corner by the law of cosines.
+double corner_angle(Halfedge_index h, const Flat_faces& faces)
+{
+  const Delta_complex& mesh = faces.mesh();
+  const Real a = faces.length(h), b = faces.length(mesh.prev(h)), c = faces.length(mesh.next(h));
+  return std::acos(std::clamp(static_cast<double>((a * a + b * b - c * c) / (2 * a * b)), -1., 1.));
+}
+
+// Checks that sums of corners around a vertex lead from an outgoing halfedge to the others.
+void check_angles(Side side, const Triangulation& t)
+{
+  const Flat_faces faces(side, t);
+  const Delta_complex& mesh = faces.mesh();
+  const IT::Tangent_frames<> frames(t.surface(side));
+  for(Halfedge_index h : mesh.halfedges()) {
+    Halfedge_index k = h;
+    double angle = 0;
+    do {
+      expect_close(IT::tangent_vector_at_angle(t.surface(side), h, angle, 2),
+                   std::polar(2., frames.angle(k)), 1e-6);
+      if(mesh.is_border(k))
+        break;
+      angle += corner_angle(k, faces);
+      k = IT::next_around_source(k, mesh);
+    } while(k != h);
+    if(mesh.is_border(mesh.source(h))) {
+      EXPECT_THROW(IT::tangent_vector_at_angle(t.surface(side), h, angle + 7, 1),
+                   IT::Invalid_input);
+    }
   }
 }
 
@@ -294,6 +327,8 @@ TEST(Exponential_map, straight_in_the_plane_and_around_a_torus)
 TEST(Exponential_map, back_to_the_start) { check_all(check_reverse); }
 
 TEST(Exponential_map, edges_end_at_vertices) { check_all(check_edges); }
+
+TEST(Exponential_map, angles_run_along_all_faces) { check_all(check_angles); }
 
 TEST(Exponential_map, inverse_of_the_logarithm) { check_all(check_logarithm); }
 

@@ -330,7 +330,8 @@ private:
 /// the vector is in the frame of the face `f`, whose real axis is along `halfedge(f)`. For a point
 /// of an edge, it is the face of `face_location()`. From
 /// a point on an edge it may point out of the face. At a corner its angle is measured from the
-/// sides of the face, on the surface, and may lead beyond the face too.
+/// sides of the face, on the surface, and may lead beyond the face too. Angles of more than half a
+/// turn need `tangent_vector_at_angle()`.
 ///
 /// In every face the geodesic is straight, and it runs straight from face to face. If it hits an
 /// interior vertex (within `rounding_unit()`), it continues with half of the angles of the vertex

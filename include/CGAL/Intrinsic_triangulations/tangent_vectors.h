@@ -11,12 +11,14 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Vertex_angles.h>
 
 #include <CGAL/assertions.h>
 
 #include <cmath>
 #include <complex>
+#include <string>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -61,6 +63,33 @@ tangent_vector_at_vertex(const Surface& surface, Halfedge_index outgoing,
   const Flat_face<Length_of<Surface>> face(outgoing, surface);
   return internal::at_vertex(surface, outgoing,
                              vector * face.direction(side_number(h, outgoing, mesh)));
+}
+
+/// \ingroup PkgIntrinsicTriangulationsTangent
+/// returns the tangent vector of a vertex that points into the surface at an angle from an edge.
+///
+/// The angle runs along all faces of the vertex, whose sum may be less or greater than a full turn.
+/// So each direction at a saddle can be chosen, for example as a start of `trace_geodesic()`.
+/// Complexity: linear in the degree of the vertex.
+/// \param surface a model of `IntrinsicSurface` with floating point lengths
+/// \param outgoing the halfedge whose source is the vertex. It may be a border halfedge
+/// \param angle the angle on the surface, counterclockwise from `outgoing`, in radians. Inside the
+///        surface it may be any finite number
+/// \param length the length of the vector, not negative
+/// \throws Invalid_input if the vertex is on the boundary, and the direction is outside
+/// \throws Numerical_error if the angles at the vertex have no positive finite sum
+template <typename Surface>
+std::complex<Length_of<Surface>>
+tangent_vector_at_angle(const Surface& surface, Halfedge_index outgoing,
+                        const Length_of<Surface>& angle, const Length_of<Surface>& length)
+{
+  typedef Length_of<Surface> FT;
+  const internal::Vertex_angles<FT> angles(outgoing, surface);
+  const FT normalized = angles.normalized(angle), quarter = pi<FT>() / 2;
+  if(angles.is_border() && std::abs(normalized - quarter) > quarter * (1 + 4 * rounding_unit<FT>()))
+    throw Invalid_input("vertex " + std::to_string(surface.mesh().source(outgoing).idx()) +
+                        " is on the boundary, and this direction leads out of the surface");
+  return std::polar(length, normalized);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
