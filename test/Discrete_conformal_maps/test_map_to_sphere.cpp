@@ -82,6 +82,16 @@ void check_map(const Spherical_conformal_map& map)
   }
 }
 
+// Checks all properties of a map whose scale factors may be beyond the range of `double`.
+void check_conformal(const Spherical_conformal_map& map)
+{
+  EXPECT_EQ(map.status(), DCM::Map_status::success) << map.cause();
+  EXPECT_TRUE(map.certificate().is_convex());
+  EXPECT_EQ(map.bound_violations(), 0u);
+  EXPECT_LT(DCM::max_cross_ratio_error(map), 1e-8);
+  EXPECT_LE(map.max_inscribed_error(), 4e-16);
+}
+
 // Returns the distance of the center of mass, where each vertex has a third of its faces. The
 // mirror images of a disk leave it in the mirror plane.
 double distance_from_center(const Spherical_conformal_map& map)
@@ -284,6 +294,21 @@ TEST(Map_to_sphere, long_limbs_need_more_digits)
     greatest = (std::max)(greatest, map.log_scale(v));
   }
   EXPECT_GT(greatest - least, std::log(1e12));
+}
+
+// Spheres become long tubes with sharp ends. Searches start from flat tubes.
+TEST(Map_to_sphere, stretched_spheres)
+{
+  for(const double factor : {100., 300., 1000.})
+    for(std::uint32_t seed : {1u, 2u, 3u}) {
+      SCOPED_TRACE(testing::Message() << factor << ' ' << seed);
+      Mesh mesh = random_sphere(60, seed);
+      for(Vertex_index v : mesh.vertices()) {
+        const Point p = mesh.point(v);
+        mesh.point(v) = Point(factor * p.x(), p.y(), p.z());
+      }
+      check_conformal(DCM::map_to_sphere(mesh));
+    }
 }
 
 TEST(Map_to_sphere, disks_become_hemispheres)
@@ -557,6 +582,84 @@ TEST(Map_to_sphere, random_polygons)
   check_polygon(DCM::map_to_sphere(large), large);
   const Mesh bent = grid(1, 5, [](double x, double y) { return Point(x, y + x * x, 0); });
   check_polygon(DCM::map_to_sphere(bent), bent);
+}
+
+// Inserts vertices at random in faces, and flattens the mesh along y by a factor.
+Mesh thin_with_vertices_inside(Mesh mesh, std::size_t n, double factor, CGAL::Random& random)
+{
+  for(; n > 0; --n) {
+    const Face_index f(Mesh::size_type(random.get_int(0, int(mesh.number_of_faces()))));
+    const double a = random.get_double(0.1, 1), b = random.get_double(0.1, 1),
+                 c = random.get_double(0.1, 1);
+    const auto side = IT::sides(f, mesh);
+    const Point &p = mesh.point(mesh.source(side[0])), &q = mesh.point(mesh.source(side[1])),
+                &r = mesh.point(mesh.source(side[2]));
+    const Point center = CGAL::barycenter(p, a, q, b, r, c);
+    mesh.point(mesh.target(CGAL::Euler::add_center_vertex(side[0], mesh))) = center;
+  }
+  for(Vertex_index v : mesh.vertices()) {
+    const Point p = mesh.point(v);
+    mesh.point(v) = Point(p.x(), factor * p.y(), p.z());
+  }
+  return mesh;
+}
+
+// Edges that cross the boundary differ on both sides by rounding. Numbers with more digits resolve
+// the difference.
+TEST(Map_to_sphere, thin_polygons_with_vertices_inside)
+{
+  CGAL::Random random(16);
+  for(int i = 0; i < 40; ++i) {
+    const auto n = static_cast<std::size_t>(random.get_int(5, 120));
+    const Mesh polygon = ears(on_ellipse(n, 1, random), random);
+    const double factor = std::pow(10, random.get_double(-2.5, 0));
+    SCOPED_TRACE(testing::Message() << i << ' ' << n << ' ' << factor);
+    check_conformal(
+      DCM::map_to_sphere(thin_with_vertices_inside(polygon, 1 + n / 8, factor, random)));
+  }
+}
+
+// Mirror images of edges have the same bits, and the diagonals of a trapezoid satisfy Ptolemy's
+// relation with all digits.
+TEST(Symmetric_lengths, are_symmetric)
+{
+  CGAL::Random random(17);
+  std::size_t trapezoids = 0;
+  for(int i = 0; i < 20; ++i) {
+    const auto n = static_cast<std::size_t>(random.get_int(5, 60));
+    const Mesh mesh =
+      thin_with_vertices_inside(ears(on_ellipse(n, 2, random), random), n / 2, 0.3, random);
+    DCM::internal::Doubled_problem problem(
+      Triangulation(mesh), std::vector<DCM::Vertex_condition>(mesh.number_of_vertices()),
+      DCM::Flipping::to_Delaunay);
+    problem.complete();
+    const auto& t = problem.triangulation();
+    const auto length = problem.lengths<Double_double>(t);
+    const auto original = [&](Vertex_index v) { return problem.original(v); };
+    const auto is_inside = [&](Vertex_index v) { return !problem.is_on_boundary(original(v)); };
+    for(Edge_index e : t.mesh().edges()) {
+      EXPECT_NEAR(double(get(length, e)) / t.length(e), 1, 1e-12);
+      const Halfedge_index h = t.mesh().halfedge(e), o = t.mesh().opposite(h);
+      const Vertex_index v = t.mesh().source(h), w = t.mesh().target(h);
+      const auto side = [&](Halfedge_index x) { return get(length, t.mesh().edge(x)); };
+      const auto apex = [&](Halfedge_index x) { return t.mesh().target(t.mesh().next(x)); };
+      if(!is_inside(v) || !is_inside(w) || original(v) == original(w))
+        continue;
+      if(std::minmax(original(v), original(w)) ==
+         std::minmax(original(apex(h)), original(apex(o)))) {
+        const Double_double products = side(t.mesh().next(h)) * side(t.mesh().next(o)) +
+                                       side(t.mesh().prev(h)) * side(t.mesh().prev(o));
+        const double error = std::abs(double(products / (side(h) * side(h)) - 1));
+        const bool is_trapezoid = error < 1e-11;
+        EXPECT_TRUE(!is_trapezoid || error < 1e-30) << error;
+        trapezoids += is_trapezoid ? 1 : 0;
+      } else
+        EXPECT_GE(std::count_if(t.mesh().edges().begin(), t.mesh().edges().end(),
+                                [&](Edge_index f) { return get(length, f) == side(h); }),
+                  2);
+    }
+  }
+  EXPECT_GT(trapezoids, 20u);
 }
 
 // The two sides of a quadrilateral have different diagonals. The image of a square is a square, and

@@ -10,9 +10,11 @@
 #include <CGAL/Discrete_conformal_maps/cross_ratios.h>
 #include <CGAL/Discrete_conformal_maps/flatten_to_disk.h>
 #include <CGAL/Discrete_conformal_maps/flatten_to_rectangle.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Grouped_energy.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Laplacian_elimination.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Variable_groups.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/root_of_increasing.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Spherical_scale_factors.h>
 #include <CGAL/Discrete_conformal_maps/map_to_sphere.h>
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
 
@@ -391,6 +393,59 @@ TEST(Needles, near_vertices_have_spheres)
       check_sphere(with_vertices_at_origin(sphere, d, random), sphere,
                    [](Vertex_index v) { return v.idx() > 0; });
     }
+}
+
+// The derivatives of an energy of groups are sums over their members.
+TEST(Needles, groups_have_an_energy)
+{
+  Portable_random random(4);
+  DCM::internal::Doubled_problem problem(Triangulation(random_sphere(30, 1)),
+                                         std::vector<DCM::Vertex_condition>(30),
+                                         DCM::Flipping::to_Delaunay);
+  const Vertex_index at_infinity(0);
+  auto energy = DCM::internal::spherical_energy<IT::Double_double>(problem, at_infinity);
+  std::vector<std::size_t> group{0};
+  while(group.size() < 30)
+    group.push_back(group.size() < 10 ? group.size() : std::size_t(random.get_int(1, 10)));
+  energy.evaluate(Eigen::VectorXd::Zero(30));
+  DCM::internal::Grouped_energy grouped(energy, group, 10);
+  const auto gradient_at = [&](const std::vector<IT::Double_double>& move) {
+    grouped.set_origin(move);
+    grouped.evaluate(Eigen::VectorXd::Zero(10));
+    return grouped.gradient();
+  };
+  std::vector<IT::Double_double> move(10, IT::Double_double(0));
+  const Eigen::VectorXd before = gradient_at(move);
+  const Eigen::MatrixXd Hessian = grouped.Hessian();
+  for(std::size_t g = 1; g < 10; ++g) {
+    const double step = 1e-6;
+    move[g] = step;
+    EXPECT_NEAR(grouped.derivative_at({g}, {move[g]}), gradient_at(move)[Eigen::Index(g)], 1e-14);
+    const Eigen::VectorXd above = grouped.gradient();
+    move[g] = -step;
+    const Eigen::VectorXd quotient = (above - gradient_at(move)) / (2 * step);
+    EXPECT_LT((quotient - Hessian.col(Eigen::Index(g))).tail(9).norm(), 1e-5);
+    move[g] = 0;
+    double sum = 0;
+    gradient_at(move);
+    for(std::size_t v = 0; v < 30; ++v)
+      sum += group[v] == g ? energy.gradient()[Eigen::Index(v)] : 0;
+    EXPECT_NEAR(before[Eigen::Index(g)], sum, 1e-14);
+  }
+}
+
+// Clusters of clusters of near vertices do not move other vertices.
+TEST(Needles, clusters_have_spheres)
+{
+  for(std::uint64_t seed : {1, 2, 3}) {
+    SCOPED_TRACE(testing::Message() << seed);
+    Portable_random random(seed);
+    const Mesh sphere = sphere_at_origin(250, random);
+    Mesh mesh = sphere;
+    for(const double d : {1e-16, 1e-19, 1e-22, 1e-25, 1e-28})
+      mesh = with_vertices_at_origin(mesh, d, random);
+    check_sphere(mesh, sphere, [](Vertex_index v) { return v.idx() > 0; });
+  }
 }
 
 TEST(Needles, near_vertices_have_hemispheres)

@@ -103,6 +103,9 @@ constexpr double contraction_at_start = 0.5, step_at_start = 1;
 // reduce the greatest scale factor by the factor `gain_of_move`.
 constexpr std::size_t exchanges_of_cones = 100, replaced_cones = 16, exchanged_cones = 200;
 constexpr double gain_of_move = 0.99;
+// Edges of a double between the same vertices, or their copies, are mirror images if their lengths
+// have at most this relative difference.
+constexpr double mirrored_length = 1e-12;
 // A step, or a distance from a bound, counts as zero if it is smaller than a few rounding errors
 // of a variable.
 constexpr double roundings_of_variable = 64, variable = roundings_of_variable * unit;
@@ -163,6 +166,8 @@ constexpr std::size_t steps_to_lose_the_way = 250;
 constexpr std::size_t steps_with_bounded_differences = 1000;
 // A greater error of curvatures is not a rounding error.
 constexpr double lost_curvature = 1e-3;
+// A search with most digits continues from a point with at most this error.
+constexpr double curvature_near_minimum = 1e-2;
 // A start needs few digits and few steps. This is the error at which it ends.
 constexpr double curvature_at_start = 1e-3;
 constexpr std::size_t steps_to_start = 300;

@@ -85,16 +85,13 @@ private:
       rounded, is_rough() ? tolerance::gradient_without_circles : tolerance::gradient, visitor);
     if((is_found && m_use != Unfolding_use::precise_start) || m_problem.is_measured() || is_rough())
       return; // lengths of the exact surface or a better start follow
-    const std::vector<Double_double> start = is_lost(rounded.result())
-                                               ? flat_start(m_problem, m_at_infinity, visitor)
-                                               : std::vector<Double_double>();
-    if(!start.empty() && search_beyond_range(start, visitor))
+    if(!is_found && !is_near_minimum(rounded) && search_from_flat_start(visitor))
       return;
     Spherical_scale_factors<Double_double> precise(m_problem, m_at_infinity);
     if(rounded.result().status != Minimization_status::not_finite)
       precise.set_start(rounded);
-    if(!search_with_more_digits(precise, visitor) && start.empty())
-      search_beyond_range({}, visitor);
+    if(!search_with_more_digits(precise, visitor))
+      search_beyond_range(visitor);
   }
 
   // Searches on the exact surface, whose needles have more digits. Beyond the range of
@@ -105,16 +102,34 @@ private:
     Spherical_scale_factors<double> rounded(m_problem, m_at_infinity);
     visitor.start(Flattening_stage::optimize);
     rounded.minimize(tolerance::gradient, visitor);
-    Spherical_scale_factors<Double_double> precise(m_problem, m_at_infinity);
-    if(rounded.result().status != Minimization_status::not_finite)
-      precise.set_start_of_groups(rounded);
+    auto precise = near_start(rounded);
     if(descend(precise, tolerance::parts_of_work_for_sphere, visitor))
       return true;
     if(is_in_range(precise))
-      return descend_with_most_digits(precise, visitor);
+      return search_in_groups(precise, near_start(rounded), visitor);
     Spherical_scale_factors<Wide_number<Double_double>> wide(m_problem, m_at_infinity);
     return descend(wide, tolerance::parts_of_work, visitor) ||
            descend_with_most_digits(wide, visitor);
+  }
+
+  // Continues after a search that has found no good result. Unless it has ended close to a minimum,
+  // groups of near vertices move first. Returns whether the result is good.
+  bool search_in_groups(const Spherical_scale_factors<Double_double>& last,
+                        Spherical_scale_factors<Double_double> start, Any_visitor& visitor)
+  {
+    if(is_near_minimum(last) || !start.move_groups(tolerance::parts_of_work_for_sphere, visitor))
+      return descend_with_most_digits(last, visitor);
+    return descend(start, tolerance::parts_of_work_for_sphere, visitor) ||
+           descend_with_most_digits(start, visitor);
+  }
+
+  // Returns a start on the exact surface from a search in `double`, if this has not failed.
+  Spherical_scale_factors<Double_double> near_start(const Spherical_scale_factors<double>& rounded)
+  {
+    Spherical_scale_factors<Double_double> result(m_problem, m_at_infinity);
+    if(rounded.result().status != Minimization_status::not_finite)
+      result.set_start_of_groups(rounded);
+    return result;
   }
 
   // Returns whether a search has ended where its numbers have not exceeded their range.
@@ -128,7 +143,7 @@ private:
   template <typename FT>
   static bool is_near_minimum(const Spherical_scale_factors<FT>& scale)
   {
-    return scale.result().gradient_norm <= tolerance::lost_curvature;
+    return scale.result().gradient_norm <= tolerance::curvature_near_minimum;
   }
 
   // Continues with the digits of `Decimal_115`, close to a minimum or else from an estimate. This
@@ -164,13 +179,24 @@ private:
            result.status != Minimization_status::rounding_limit;
   }
 
-  // Finds scale factors beyond the range of `double`, starting from `start` or from an estimate.
-  // Returns whether the result is good.
-  bool search_beyond_range(const std::vector<Double_double>& start, Any_visitor& visitor)
+  // Starts from a metric that is flat far from infinity. Only curvatures near infinity change
+  // then, in few steps, even if scale factors are beyond the range of `double`. Returns whether the
+  // result is good.
+  bool search_from_flat_start(Any_visitor& visitor)
+  {
+    const std::vector<Double_double> flat = flat_start(m_problem, m_at_infinity, visitor);
+    if(flat.empty())
+      return false;
+    Spherical_scale_factors<Wide_number<Double_double>> scale(m_problem, m_at_infinity);
+    scale.set_start(flat);
+    return descend(scale, tolerance::parts_of_work_from_start, visitor) ||
+           (is_near_minimum(scale) && descend_with_most_digits(scale, visitor));
+  }
+
+  // Finds scale factors beyond the range of `double`. Returns whether the result is good.
+  bool search_beyond_range(Any_visitor& visitor)
   {
     Spherical_scale_factors<Wide_number<double>> rounded(m_problem, m_at_infinity);
-    if(!start.empty())
-      rounded.set_start(start);
     visitor.start(Flattening_stage::optimize);
     rounded.minimize(tolerance::gradient, visitor);
     Spherical_scale_factors<Wide_number<Double_double>> precise(m_problem, m_at_infinity);

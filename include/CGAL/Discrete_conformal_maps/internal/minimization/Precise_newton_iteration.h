@@ -164,6 +164,8 @@ private:
       }
     }
     move_to(base);
+    if(m_energy.has_worked_enough())
+      return Minimization_status::iteration_limit;
     return has_bounds() && take_damped_step() ? Minimization_status::converged
                                               : Minimization_status::rounding_limit;
   }

@@ -13,8 +13,10 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Prescribed_curvatures.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Search_work.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Vertex_circles.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/copied_faces.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/input_rounding.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/symmetric_lengths.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/metric_error.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Precise_lengths.h>
@@ -24,7 +26,6 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <Eigen/Core>
-#include <boost/pending/disjoint_sets.hpp>
 #include <boost/property_map/function_property_map.hpp>
 
 #include <array>
@@ -70,7 +71,7 @@ public:
     for(Vertex_index v : m_half.vertices())
       if(is_on_boundary(v))
         boundary.push_back(v);
-    copy_around(boundary, 1);
+    mark_faces_around(std::move(boundary), 1, m_half, m_has_copy);
     build();
   }
 
@@ -173,7 +174,10 @@ public:
       m_most_precise_length = exact_lengths<Decimal_115>(t);
     return boost::make_function_property_map<Edge_index>([this, &t](Edge_index e) {
       if(!has_precise_lengths())
-        return without_radii(FT(t.length(e)), e, t);
+        return without_radii(std::is_same_v<FT, double> || has_no_copies()
+                               ? FT(t.length(e))
+                               : symmetric_length<FT>(e, t, m_original, equal_edges(t)),
+                             e, t);
       if constexpr(is_most_precise)
         return converted<FT>(without_radii(m_most_precise_length[e.idx()], e, t));
       else
@@ -304,6 +308,13 @@ public:
   }
 
 private:
+  const std::vector<Edge_index>& equal_edges(const Triangulation& t) const
+  {
+    if(m_equal_edge.empty())
+      m_equal_edge = edges_of_equal_length(t, m_original);
+    return m_equal_edge;
+  }
+
   // Returns the length of the tangent of an edge if vertices have circles, otherwise its length.
   template <typename FT>
   FT without_radii(const FT& length, Edge_index e, const Triangulation& t) const
@@ -317,55 +328,17 @@ private:
     for(Edge_index e : m_exceeded)
       for(unsigned end : {0u, 1u})
         start.push_back(m_half.vertex(e, end));
-    copy_around(start, width);
-    copy_regions(flips);
+    mark_faces_around(std::move(start), width, m_half, m_has_copy);
+    mark_flipped_regions(m_triangulation.input_mesh(), {&m_flips, &flips}, m_original_face,
+                         m_has_copy);
     build();
-  }
-
-  // Copies the faces at vertices within `width` rings around `front`.
-  void copy_around(std::vector<Vertex_index> front, std::size_t width)
-  {
-    std::vector<char> is_near(m_half.num_vertices(), 0);
-    const auto add = [&](Vertex_index v, std::vector<Vertex_index>& to) {
-      if(!is_near[v.idx()])
-        to.push_back(v);
-      is_near[v.idx()] = 1;
-    };
-    for(std::size_t ring = 0; ring <= width; ++ring) {
-      std::vector<Vertex_index> next;
-      for(Vertex_index v : front)
-        for_each_outgoing_halfedge(v, m_half, [&](Halfedge_index h) {
-          if(!m_half.is_border(h))
-            m_has_copy[m_half.face(h).idx()] = 1;
-          add(m_half.target(h), next);
-        });
-      front = std::move(next);
-    }
-  }
-
-  // Copies whole regions of faces of T_1 joined by flipped edges. No flip crosses their boundary.
-  void copy_regions(const std::vector<Halfedge_index>& flips)
-  {
-    boost::disjoint_sets_with_storage<> regions(m_half.num_faces());
-    Delta_complex mesh = m_triangulation.input_mesh();
-    const std::vector<Halfedge_index>* const parts[] = {&m_flips, &flips};
-    for(const auto* part : parts)
-      for(Halfedge_index h : *part) {
-        regions.union_set(m_original_face[mesh.face(h).idx()].idx(),
-                          m_original_face[mesh.face(opposite(h)).idx()].idx());
-        flip_edge(h, mesh);
-      }
-    std::vector<char> has_copy(m_half.num_faces(), 0);
-    for(Face_index f : m_half.faces())
-      has_copy[regions.find_set(f.idx())] |= m_has_copy[f.idx()];
-    for(Face_index f : m_half.faces())
-      m_has_copy[f.idx()] = has_copy[regions.find_set(f.idx())];
   }
 
   // Rebuilds T_1 and T_2.
   void build()
   {
     const Doubled_surface surface(m_half, m_has_copy);
+    m_equal_edge.clear();
     ++m_version;
     m_triangulation =
       m_point.empty() ? surface.triangulation(m_length) : surface.triangulation(m_point);
@@ -430,6 +403,7 @@ private:
   Triangulation m_triangulation;
   std::vector<Double_double> m_precise_length;            // of T_2, if flips are exact
   mutable std::vector<Decimal_115> m_most_precise_length; // where these have too few digits
+  mutable std::vector<Edge_index> m_equal_edge; // see `edges_of_equal_length()`, where it is needed
   std::size_t m_version = 0, m_number_of_flips = 0;
   std::vector<Vertex_index> m_original;
   std::vector<Face_index> m_original_face;

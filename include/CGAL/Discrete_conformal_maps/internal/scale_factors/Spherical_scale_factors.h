@@ -8,6 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Bounded_Newton_minimizer.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Grouped_energy.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Precise_newton_iteration.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Peacock_triangulation.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Spherical_energy.h>
@@ -23,6 +24,7 @@
 #include <cstddef>
 #include <limits>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
@@ -61,7 +63,7 @@ public:
     m_bound.resize(problem.size());
     for(Vertex_index v : problem.surface().vertices())
       m_bound[v.idx()] = is_fixed(v) ? FT(0) : FT(-m_bound[v.idx()]);
-    m_u = start(std::vector<Double_double>(problem.size(), Double_double(0)));
+    m_u = start();
   }
 
   // Returns the scale factors, which are zero at infinity and at isolated vertices.
@@ -91,21 +93,30 @@ public:
   void set_start_of_groups(const Spherical_scale_factors<double>& rounded)
   {
     set_start(rounded);
-    boost::disjoint_sets_with_storage<> groups(m_u.size());
-    join_near_vertices(groups);
-    std::vector<FT> sum(m_u.size(), FT(0));
-    std::vector<double> size(m_u.size(), 0);
+    const Groups groups = groups_of_near_vertices();
+    std::vector<FT> sum(groups.count, FT(0));
+    std::vector<double> size(groups.count, 0);
     for(std::size_t v = 0; v < m_u.size(); ++v) {
-      sum[groups.find_set(v)] += m_u[v];
-      ++size[groups.find_set(v)];
+      sum[groups.of_vertex[v]] += m_u[v];
+      ++size[groups.of_vertex[v]];
     }
     for(Vertex_index v : m_problem.surface().vertices())
-      if(const std::size_t root = groups.find_set(v.idx()); !is_fixed(v) && size[root] > 1)
-        m_u[v.idx()] = (std::max)(m_bound[v.idx()], FT(sum[root] / FT(size[root])));
+      if(const std::size_t g = groups.of_vertex[v.idx()]; !is_fixed(v) && size[g] > 1)
+        m_u[v.idx()] = (std::max)(m_bound[v.idx()], FT(sum[g] / FT(size[g])));
   }
 
-  // Starts from the scale factors of a metric that is flat far from infinity.
-  void set_start(const std::vector<Double_double>& flat) { m_u = start(flat); }
+  // Starts from the scale factors of a metric that is flat far from infinity, plus the least
+  // constant with which they are within the bounds.
+  void set_start(const std::vector<Double_double>& flat)
+  {
+    FT level = -std::numeric_limits<FT>::infinity();
+    for(Vertex_index v : m_problem.surface().vertices())
+      if(!is_fixed(v))
+        level = (std::max)(level, FT(m_bound[v.idx()] - converted<FT>(flat[v.idx()])));
+    for(Vertex_index v : m_problem.surface().vertices())
+      if(const std::size_t i = v.idx(); !is_fixed(v))
+        m_u[i] = (std::max)(m_bound[i], FT(converted<FT>(flat[i]) + level));
+  }
 
   // Minimizes the energy under the bounds, beyond a sufficient gradient if possible. Rounding to
   // `double` limits only how far a step can change the scale factors. If scale factors have more
@@ -135,6 +146,32 @@ public:
     m_angle_error = angle_error(energy.gradient());
   }
 
+  // Minimizes the energy with steps in which near vertices move together. Steps of all vertices
+  // start close to a minimum then. Returns whether near vertices exist.
+  template <typename Visitor>
+  bool move_groups(double parts_of_work, Visitor& visitor)
+  {
+    const Groups groups = groups_of_near_vertices();
+    if(groups.count == m_u.size())
+      return false;
+    Energy energy = spherical_energy<FT>(m_problem, m_at_infinity);
+    Minimization_domain domain;
+    domain.is_fixed.resize(groups.count, 0);
+    std::vector<FT> lower(groups.count, -std::numeric_limits<FT>::infinity());
+    for(Vertex_index v : m_problem.surface().vertices()) {
+      const std::size_t i = v.idx(), g = groups.of_vertex[i];
+      domain.is_fixed[g] |= is_fixed(v);
+      lower[g] = (std::max)(lower[g], FT(m_bound[i] - m_u[i]));
+    }
+    move_to_start(energy, parts_of_work);
+    Grouped_energy<Energy> grouped(energy, groups.of_vertex, groups.count);
+    Precise_newton_iteration<Grouped_energy<Energy>> newton(grouped, domain, std::move(lower));
+    add_result(newton.run(tolerance::curvature_at_start, tolerance::steps_to_start, visitor));
+    for(std::size_t v = 0; v < m_u.size(); ++v)
+      m_u[v] = (std::max)(m_bound[v], energy.scale_factor(v));
+    return true;
+  }
+
 private:
   // Ten or twenty iterations are usual. If bounds are active without effect, more digits may be
   // better.
@@ -152,15 +189,20 @@ private:
     Minimization_domain domain;
     for(Vertex_index v : m_problem.surface().vertices())
       domain.is_fixed.push_back(is_fixed(v));
-    limit_work(energy, parts_of_work);
-    energy.set_origin(m_u);
-    energy.evaluate(Vector::Zero(Eigen::Index(m_u.size())));
+    move_to_start(energy, parts_of_work);
     Precise_newton_iteration<Energy> newton(energy, domain, m_bound);
     const Minimization_result last = newton.run(
       (std::max)(tolerance::rounding_of_gradient<FT>(), tolerance::most_precise_gradient),
       tolerance::steps_with_more_digits, visitor);
     m_u = energy.scale_factors();
     add_result(last);
+  }
+
+  void move_to_start(Energy& energy, double parts_of_work) const
+  {
+    limit_work(energy, parts_of_work);
+    energy.set_origin(m_u);
+    energy.evaluate(Vector::Zero(Eigen::Index(m_u.size())));
   }
 
   template <typename Visitor>
@@ -226,10 +268,10 @@ private:
   }
 
   // Returns scale factors for a start. The neighbors of the vertex at infinity have their factors
-  // as if they remained, the others are like `first`, up to a constant. With needles, this constant
-  // is very small. Then scale factors of near vertices differ as little as their bounds, even if
-  // some are neighbors of the vertex at infinity.
-  std::vector<FT> start(const std::vector<Double_double>& first) const
+  // as if they remained, the others are equal. With needles, these are very small. Then scale
+  // factors of near vertices differ as little as their bounds, even if some are neighbors of the
+  // vertex at infinity.
+  std::vector<FT> start() const
   {
     FT sum(0), count(0), least = std::numeric_limits<FT>::infinity();
     std::vector<char> is_neighbor(m_bound.size(), 0);
@@ -238,23 +280,30 @@ private:
       if(mesh.source(h) == m_at_infinity && mesh.target(h) != m_at_infinity) {
         const std::size_t i = m_problem.original(mesh.target(h)).idx();
         is_neighbor[i] = 1;
-        sum += m_bound[i] - converted<FT>(first[i]);
+        sum += m_bound[i];
         count += 1;
-        least = (std::min)(least, FT(m_bound[i] - converted<FT>(first[i])));
+        least = (std::min)(least, m_bound[i]);
       }
     const FT level = m_problem.has_needles() ? least : sum / count;
     std::vector<FT> result(m_bound.size(), FT(0));
     for(Vertex_index v : m_problem.surface().vertices())
       if(const std::size_t i = v.idx(); !is_fixed(v))
-        result[i] =
-          is_neighbor[i] ? m_bound[i] : (std::max)(m_bound[i], FT(converted<FT>(first[i]) + level));
+        result[i] = is_neighbor[i] ? m_bound[i] : (std::max)(m_bound[i], level);
     return result;
   }
 
-  // Joins vertices with an edge that is much shorter than the other edges of its faces.
-  template <typename Sets>
-  void join_near_vertices(Sets& sets) const
+  // Numbers groups of vertices, such that each vertex is in one.
+  struct Groups
   {
+    std::vector<std::size_t> of_vertex;
+    std::size_t count;
+  };
+
+  // Groups vertices that are joined by an edge that is much shorter than the other edges of its
+  // faces.
+  Groups groups_of_near_vertices() const
+  {
+    boost::disjoint_sets_with_storage<> sets(m_u.size());
     const auto& t = m_problem.triangulation();
     for(Edge_index e : t.mesh().edges()) {
       const Halfedge_index h = t.mesh().halfedge(e);
@@ -264,6 +313,15 @@ private:
          v != m_at_infinity.idx() && w != m_at_infinity.idx())
         sets.union_set(v, w);
     }
+    Groups result{{}, 0};
+    std::vector<std::size_t> number(m_u.size(), m_u.size()); // of each root
+    for(std::size_t v = 0; v < m_u.size(); ++v) {
+      std::size_t& n = number[sets.find_set(v)];
+      if(n == m_u.size())
+        n = result.count++;
+      result.of_vertex.push_back(n);
+    }
+    return result;
   }
 
   bool is_fixed(Vertex_index v) const
