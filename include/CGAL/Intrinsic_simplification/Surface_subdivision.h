@@ -14,10 +14,11 @@
 #include <CGAL/Intrinsic_simplification/internal/maps/largest_ear.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/vertex_places.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/Subdivision_base.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
+#include <CGAL/Intrinsic_triangulations/internal/validity/Delta_complex_defect.h>
 
 #include <CGAL/Iterator_range.h>
 
@@ -164,7 +165,9 @@ public:
       sum += internal::relative_area(a, b, c);
       b = c;
     }
-    return sum * area(side, this->parent_face(side, f));
+    return sum *
+           Intrinsic_triangulations::Face_metric<double>(this->parent_face(side, f), level(side))
+             .area();
   }
 
 private:
@@ -202,17 +205,6 @@ private:
   {
     const auto first = m_places_on_edges.lower_bound({v, Edge_index(0)});
     return first != m_places_on_edges.end() && first->first.first == v;
-  }
-
-  double area(Level side, Face_index f) const
-  {
-    const Delta_complex& mesh = level(side).mesh();
-    const auto length = level(side).length_map();
-    const Halfedge_index h = mesh.halfedge(f);
-    return Intrinsic_triangulations::quadrupled_area(length[mesh.edge(h)],
-                                                     length[mesh.edge(mesh.next(h))],
-                                                     length[mesh.edge(mesh.prev(h))]) /
-           4;
   }
 
   // ---- Triangulation ----
@@ -334,11 +326,8 @@ private:
   // Checks the topology: edges that cross each other incorrectly would create handles.
   void check_connectivity() const
   {
-    const auto characteristic = [](const auto& mesh) {
-      return std::ptrdiff_t(mesh.number_of_vertices()) - std::ptrdiff_t(mesh.number_of_edges()) +
-             std::ptrdiff_t(mesh.number_of_faces());
-    };
-    if(characteristic(m_mesh) != characteristic(m_fine))
+    using Intrinsic_triangulations::internal::Euler_characteristic;
+    if(Euler_characteristic(m_mesh) != Euler_characteristic(m_fine))
       fail();
   }
 

@@ -16,6 +16,13 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 template <typename P>
+std::ptrdiff_t Euler_characteristic(const Surface_mesh<P>& mesh)
+{
+  return std::ptrdiff_t(mesh.number_of_vertices()) - std::ptrdiff_t(mesh.number_of_edges()) +
+         std::ptrdiff_t(mesh.number_of_faces());
+}
+
+template <typename P>
 std::string halfedge_defect(SM_Halfedge_index h, const Surface_mesh<P>& mesh)
 {
   const SM_Halfedge_index n = mesh.next(h);

@@ -46,12 +46,6 @@ bool can_be_inserted(const Surface_point<FT>& p, const Delta_complex& input)
   return inside && input.has_valid_index(inside->first) && are_weights(inside->second);
 }
 
-inline std::ptrdiff_t Euler_characteristic(const Delta_complex& mesh)
-{
-  return std::ptrdiff_t(mesh.number_of_vertices()) - std::ptrdiff_t(mesh.number_of_edges()) +
-         std::ptrdiff_t(mesh.number_of_faces());
-}
-
 template <typename Traits>
 void check_inserted(const Triangulation_pair<Traits>& pair)
 {
