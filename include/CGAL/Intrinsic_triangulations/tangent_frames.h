@@ -92,17 +92,13 @@ private:
   void set_frame(Vertex_index v, const Surface& surface)
   {
     const Delta_complex& mesh = surface.mesh();
-    const Halfedge_index first = first_outgoing_halfedge(v, mesh);
-    m_is_border[v.idx()] = mesh.is_border(mesh.opposite(first)) ? 1 : 0;
+    m_is_border[v.idx()] = mesh.is_border(mesh.halfedge(v)) ? 1 : 0;
     FT sum(0);
-    Halfedge_index h = first;
-    do {
+    for_each_outgoing_halfedge(v, mesh, [&](Halfedge_index h) {
       m_angle[h.idx()] = sum;
-      if(mesh.is_border(h))
-        break;
-      sum += internal::angle_at_source(h, surface);
-      h = next_around_source(h, mesh);
-    } while(h != first);
+      if(!mesh.is_border(h))
+        sum += internal::angle_at_source(h, surface);
+    });
     m_angle_sum[v.idx()] = sum;
     normalize(v, mesh);
   }
@@ -113,15 +109,10 @@ private:
     if(!(sum > 0) || !CGAL::is_finite(sum))
       throw Numerical_error("the angles at vertex " + std::to_string(v.idx()) +
                             " have no positive finite sum");
-    const Halfedge_index first = first_outgoing_halfedge(v, mesh);
-    Halfedge_index h = first;
-    do {
+    for_each_outgoing_halfedge(v, mesh, [&](Halfedge_index h) {
       FT& angle = m_angle[h.idx()];
       angle = normalized_sum(v) * (angle / sum);
-      if(mesh.is_border(h))
-        return;
-      h = next_around_source(h, mesh);
-    } while(h != first);
+    });
   }
 
   std::vector<FT> m_angle_sum;

@@ -34,17 +34,13 @@ public:
     : m_vertex(surface.mesh().source(outgoing)), m_before(0), m_sum(0)
   {
     const Delta_complex& mesh = surface.mesh();
-    const Halfedge_index first = first_outgoing_halfedge(m_vertex, mesh);
-    Halfedge_index h = first;
-    do {
+    for_each_outgoing_halfedge(m_vertex, mesh, [&](Halfedge_index h) {
       if(h == outgoing)
         m_before = m_sum;
-      m_sum += angle_at_source(h, surface);
-      h = next_around_source(h, mesh);
-    } while(h != first && !mesh.is_border(h));
-    m_is_border = mesh.is_border(h);
-    if(m_is_border && h == outgoing)
-      m_before = m_sum;
+      m_is_border = mesh.is_border(h);
+      if(!m_is_border)
+        m_sum += angle_at_source(h, surface);
+    });
   }
 
   bool is_border() const { return m_is_border; }
