@@ -12,10 +12,10 @@
 #include <CGAL/Intrinsic_simplification/Intrinsic_surface.h>
 #include <CGAL/Intrinsic_simplification/internal/operations/Vertex_heap.h>
 #include <CGAL/Intrinsic_simplification/internal/tolerances.h>
+#include <CGAL/Intrinsic_triangulations/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/validity/check_finite.h>
-#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <cmath>
 #include <complex>
@@ -70,7 +70,7 @@ public:
     const Delta_complex& mesh = surface.mesh();
     for(Halfedge_index h : mesh.halfedges())
       if(!mesh.is_border(h))
-        area[mesh.target(h)] += quadrupled_area(h, surface.surface());
+        area[mesh.target(h)] += Face_metric(h, surface.surface()).quadrupled_area();
     add_quantity(area, weight);
   }
 
@@ -200,6 +200,7 @@ public:
 
 private:
   typedef std::complex<double> Complex;
+  typedef Intrinsic_triangulations::Face_metric<double> Face_metric;
 
   struct State
   {
@@ -235,28 +236,18 @@ private:
 
   static double opposite_cotangent(Halfedge_index h, const Intrinsic_surface& surface)
   {
-    const Delta_complex& mesh = surface.mesh();
-    const double result = Intrinsic_triangulations::corner_cotangent(
-      surface.length(h), surface.length(mesh.next(h)), surface.length(mesh.prev(h)));
+    const double result = Face_metric(h, surface).cotangent(0);
     if(!std::isfinite(result))
       throw Intrinsic_triangulations::Numerical_error("a face has no area");
     return result;
   }
 
-  static double quadrupled_area(Halfedge_index h, const Intrinsic_surface& surface)
-  {
-    const Delta_complex& mesh = surface.mesh();
-    return Intrinsic_triangulations::quadrupled_area(
-      surface.length(h), surface.length(mesh.next(h)), surface.length(mesh.prev(h)));
-  }
-
   // Returns the inverse of the area, or zero for a surface without area.
   static double inverse_area(const Evolving_surface& surface)
   {
-    const Delta_complex& mesh = surface.mesh();
     double quadrupled = 0;
-    for(Face_index f : mesh.faces())
-      quadrupled += quadrupled_area(mesh.halfedge(f), surface.surface());
+    for(Face_index f : surface.mesh().faces())
+      quadrupled += Face_metric(f, surface.surface()).quadrupled_area();
     return quadrupled > 0 ? 4 / quadrupled : 0;
   }
 

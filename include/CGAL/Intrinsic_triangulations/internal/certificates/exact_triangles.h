@@ -8,6 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_corners.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
@@ -31,12 +32,10 @@ namespace CGAL::Intrinsic_triangulations::internal {
 template <typename Number>
 Face_index violated_triangle(const Exact_surface<Number>& input)
 {
-  const Delta_complex& mesh = input.mesh();
-  const auto length = [&](Halfedge_index h) { return get(input.length_map(), mesh.edge(h)); };
   if(input.metric.points.empty())
-    for(Face_index f : mesh.faces()) {
-      const Halfedge_index h = mesh.halfedge(f);
-      const double a = length(h), b = length(mesh.next(h)), c = length(mesh.prev(h));
+    for(Face_index f : input.mesh().faces()) {
+      const Halfedge_index h = input.mesh().halfedge(f);
+      const auto [a, b, c] = side_lengths(h, input);
       if((std::min)({b + c - a, c + a - b, a + b - c}) <= rounding_unit<double>() * (a + b + c) &&
          area_sign(h, input) == NEGATIVE)
         return f;
@@ -69,7 +68,7 @@ template <typename Surface>
 std::pair<Halfedge_index, double> longest_side(Face_index f, const Surface& surface)
 {
   const Delta_complex& mesh = surface.mesh();
-  const auto length = [&](Halfedge_index h) { return get(surface.length_map(), mesh.edge(h)); };
+  const auto length = [&](Halfedge_index h) { return edge_length(h, surface); };
   const auto side = sides(f, mesh);
   const Halfedge_index longest =
     *std::max_element(side.begin(), side.end(),
@@ -88,7 +87,7 @@ void shorten_to_triangles(const Surface& surface)
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> violated;
   const auto push_if_violated = [&](Face_index f) {
     const auto [h, sum] = longest_side(f, surface);
-    if(const double length = get(surface.length_map(), mesh.edge(h)); length > sum)
+    if(const double length = edge_length(h, surface); length > sum)
       violated.emplace(length, f);
   };
   for(Face_index f : mesh.faces())
@@ -96,7 +95,7 @@ void shorten_to_triangles(const Surface& surface)
   while(!violated.empty()) {
     const auto [h, sum] = longest_side(violated.top().second, surface);
     violated.pop();
-    if(!(get(surface.length_map(), mesh.edge(h)) > sum))
+    if(!(edge_length(h, surface) > sum))
       continue;
     put(surface.length_map(), mesh.edge(h), sum);
     if(const Halfedge_index o = mesh.opposite(h); !mesh.is_border(o))

@@ -82,15 +82,10 @@ template <typename Surface, typename Traits>
 void check_triangles(const Surface& surface, const Traits& traits)
 {
   const auto is_triangle = traits.is_triangle_object();
-  const Delta_complex& mesh = surface.mesh();
-  for(Face_index f : mesh.faces()) {
-    const Halfedge_index h = mesh.halfedge(f);
-    const auto length = [&](Halfedge_index x) -> decltype(auto) {
-      return get(surface.length_map(), mesh.edge(x));
-    };
-    if(!is_triangle(length(h), length(mesh.next(h)), length(mesh.prev(h))))
+  for(Face_index f : surface.mesh().faces())
+    if(const auto [a, b, c] = side_lengths(surface.mesh().halfedge(f), surface);
+       !is_triangle(a, b, c))
       throw Invalid_input("the triangle inequality fails in face " + std::to_string(f.idx()));
-  }
 }
 
 // Copies length(e) of each edge of `g` to the edge of `copy` with its index.
