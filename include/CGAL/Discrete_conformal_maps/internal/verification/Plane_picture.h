@@ -88,11 +88,8 @@ public:
   // up.
   double edge_length_error() const
   {
-    double result = 0;
-    for(Halfedge_index h : mesh().halfedges())
-      if(!mesh().is_border(h) && is_laid_out(mesh().face(h)) && !is_crowded(h))
-        result = greater_error(result, std::abs(length_of(h) / scaled_length(h) - 1));
-    return result;
+    return greatest_error(
+      [this](Halfedge_index h) { return std::abs(length_of(h) / scaled_length(h) - 1); });
   }
 
   // Returns the greatest error of a cross ratio. With circles, it is the error of the Gram
@@ -123,13 +120,21 @@ public:
 private:
   double max_Gram_error() const
   {
+    return greatest_error([this](Halfedge_index h) {
+      const double length = scaled_length(h), error = length_of(h) - length;
+      return std::abs(error * (length_of(h) + length)) /
+             (2 * m_data.scaled_decorated_length(h).gram());
+    });
+  }
+
+  // Returns the greatest error of a side of a face, without crowded sides.
+  template <typename Error>
+  double greatest_error(const Error& error) const
+  {
     double result = 0;
     for(Halfedge_index h : mesh().halfedges())
-      if(!mesh().is_border(h) && is_laid_out(mesh().face(h)) && !is_crowded(h)) {
-        const double length = scaled_length(h), error = length_of(h) - length;
-        result = greater_error(result, std::abs(error * (length_of(h) + length)) /
-                                         (2 * m_data.scaled_decorated_length(h).gram()));
-      }
+      if(!mesh().is_border(h) && is_laid_out(mesh().face(h)) && !is_crowded(h))
+        result = greater_error(result, error(h));
     return result;
   }
 
