@@ -48,6 +48,15 @@ struct Spherical_layout
     return turned<Number>({2 * x * scale, 2 * y * scale, (1 - square) * scale});
   }
 
+  // Rounds the positions of the vertices of `mesh`.
+  void round_positions(const Delta_complex& mesh)
+  {
+    for(Vertex_index v : mesh.vertices()) {
+      const auto p = position_in<Double_double>(v);
+      position.push_back({p[0].high(), p[1].high(), p[2].high()});
+    }
+  }
+
   double max_inscribed_error() const
   {
     double result = 0;

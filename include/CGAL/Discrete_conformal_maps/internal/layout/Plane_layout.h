@@ -78,7 +78,7 @@ private:
         waiting.push_back(f);
     };
     for(Halfedge_index h : m_mesh.halfedges())
-      if(is_inside(m_mesh.target(h)))
+      if(m_problem.is_inside(m_mesh.target(h)))
         reach(m_mesh.face(h));
     if(waiting.empty())
       return is_finite;
@@ -90,11 +90,6 @@ private:
           reach(m_mesh.face(o));
     }
     return is_reached;
-  }
-
-  bool is_inside(Vertex_index v) const
-  {
-    return v.idx() < m_problem.size() && !m_problem.is_on_boundary(v);
   }
 
   void lay_out_faces(const std::vector<char>& is_used)

@@ -8,8 +8,10 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
+#include <CGAL/Discrete_conformal_maps/Map_promise.h>
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
 #include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
@@ -22,6 +24,18 @@
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
+
+// Returns the greatest distance from the equator of a vertex on the boundary, and of other vertices
+// below it.
+inline double hemisphere_error(const Spherical_layout& layout, const Doubled_problem& problem)
+{
+  double result = 0;
+  for(Vertex_index v : problem.surface().vertices()) {
+    const double z = layout.position[v.idx()][2];
+    result = greater_error(result, problem.is_on_boundary(v) ? std::abs(z) : -z);
+  }
+  return result;
+}
 
 // Stores the logarithmic scale factor of a vertex in the plane.
 struct Scale_in_plane

@@ -19,6 +19,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/defect_errors.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/spherical_gram_error.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Face_map.h>
 
 #include <algorithm>
 #include <array>
@@ -257,11 +258,7 @@ private:
       in_plane.push_back(w == m_layout.at_infinity ? std::array<FT, 2>{0, 0} : projected(p));
     }
     m_layout.in_plane = in_range_of_squares(in_plane);
-    for(std::size_t v = 0; v < in_plane.size(); ++v) {
-      const auto turned =
-        m_layout.position_in<Double_double>(Vertex_index(Delta_complex::size_type(v)));
-      m_layout.position.push_back({turned[0].high(), turned[1].high(), turned[2].high()});
-    }
+    m_layout.round_positions(m_problem.triangulation().mesh());
   }
 
   // Returns the stereographic projection of a point of the unit sphere. Its distance from (0, 0, 1)
@@ -285,7 +282,8 @@ private:
         Map_status::not_convex);
     add("sphere", m_layout.max_inscribed_error(), tolerance::inscribed, Map_status::not_inscribed);
     if(m_layout.is_disk)
-      add("hemisphere", hemisphere_error(), tolerance::inscribed, Map_status::not_inscribed);
+      add("hemisphere", hemisphere_error(m_layout, m_problem), tolerance::inscribed,
+          Map_status::not_inscribed);
   }
 
   // Returns the greatest relative error of a Gram coordinate of T_3, with all digits of positions.
@@ -310,6 +308,7 @@ private:
   template <typename FT>
   double measured_concavity(const Balanced_circles<FT>& circles)
   {
+    using Intrinsic_triangulations::internal::orientation;
     const Delta_complex& mesh = m_builder.mesh();
     Convexity_certificate& certificate = m_layout.certificate;
     double result = 0;
@@ -323,7 +322,7 @@ private:
     for(Face_index f : mesh.faces()) {
       const auto side = sides(f, mesh);
       const auto pole = [&](std::size_t s) { return circles.pole(mesh.source(side[s])); };
-      certificate.flipped_triangles += !(volume(pole(0), pole(1), pole(2)) > 0);
+      certificate.flipped_triangles += !(orientation(pole(0), pole(1), pole(2)) > 0);
     }
     m_layout.lost_in_output = lost_faces();
     return certificate.flipped_triangles > 0 ? 1 : result;
@@ -335,10 +334,7 @@ private:
   {
     const Delta_complex& mesh = m_builder.mesh();
     const auto faces = mesh.faces();
-    const auto is_inside = [&](Halfedge_index h) {
-      const Vertex_index v = mesh.source(h);
-      return v.idx() < m_problem.size() && !m_problem.is_on_boundary(v);
-    };
+    const auto is_inside = [&](Halfedge_index h) { return m_problem.is_inside(mesh.source(h)); };
     return std::size_t(std::count_if(faces.begin(), faces.end(), [&](Face_index f) {
       const auto side = sides(f, mesh);
       const auto at = [&](std::size_t s) { return m_layout.position[mesh.source(side[s]).idx()]; };
@@ -347,18 +343,11 @@ private:
     }));
   }
 
-  template <typename FT>
-  static FT volume(const std::array<FT, 3>& a, const std::array<FT, 3>& b,
-                   const std::array<FT, 3>& c)
-  {
-    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-           a[2] * (b[0] * c[1] - b[1] * c[0]);
-  }
-
   // Returns the sine by which the edge of `h` is concave, seen from its source.
   template <typename FT>
   double concavity(Halfedge_index h, const Balanced_circles<FT>& circles) const
   {
+    using Intrinsic_triangulations::internal::orientation;
     typedef Difference_of<FT> Number;
     const Delta_complex& mesh = m_builder.mesh();
     const auto& a = circles.pole(mesh.source(h));
@@ -368,18 +357,9 @@ private:
       const std::array<Number, 3> d{difference(0), difference(1), difference(2)};
       return Balanced_circles<Number>::times(d, 1 / Balanced_circles<Number>::norm(d));
     };
-    return static_cast<double>(volume(from_a(mesh.target(h)), from_a(mesh.source(mesh.prev(h))),
-                                      from_a(mesh.source(mesh.prev(mesh.opposite(h))))));
-  }
-
-  double hemisphere_error() const
-  {
-    double result = 0;
-    for(Vertex_index v : m_problem.surface().vertices()) {
-      const double z = m_layout.position[v.idx()][2];
-      result = greater_error(result, m_problem.is_on_boundary(v) ? std::abs(z) : -z);
-    }
-    return result;
+    return static_cast<double>(orientation(from_a(mesh.target(h)),
+                                           from_a(mesh.source(mesh.prev(h))),
+                                           from_a(mesh.source(mesh.prev(mesh.opposite(h))))));
   }
 
   Doubled_problem& m_problem;

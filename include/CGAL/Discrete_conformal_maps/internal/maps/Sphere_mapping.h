@@ -106,11 +106,7 @@ private:
                                 sphere.minimization, sphere.angle_error);
     if(!m_layout.exists)
       return;
-    for(Vertex_index v : m_builder.mesh().vertices()) {
-      const auto p = m_layout.template position_in<Double_double>(v);
-      m_layout.position.push_back(
-        {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])});
-    }
+    m_layout.round_positions(m_builder.mesh());
     add_promises(sphere.cross_ratio_error);
     m_promises.insert(m_promises.end(), exact.begin(), exact.end());
   }
@@ -126,7 +122,8 @@ private:
     add("bounds", double(m_layout.bound_violations), 0, Map_status::not_convex);
     add("sphere", m_layout.max_inscribed_error(), tolerance::inscribed, Map_status::not_inscribed);
     if(m_layout.is_disk)
-      add("hemisphere", hemisphere_error(), tolerance::inscribed, Map_status::not_inscribed);
+      add("hemisphere", hemisphere_error(m_layout, m_problem), tolerance::inscribed,
+          Map_status::not_inscribed);
     add("cross_ratio", cross_ratio_error, tolerance::cross_ratio, Map_status::not_conformal);
   }
 
@@ -156,18 +153,6 @@ private:
     if(!sphere.layout.exists)
       return {};
     return exact_promises(m_problem, [&] { return errors(sphere); });
-  }
-
-  // Returns the greatest distance from the equator of a vertex on the boundary, and of other
-  // vertices below it.
-  double hemisphere_error() const
-  {
-    double result = 0;
-    for(Vertex_index v : m_problem.surface().vertices()) {
-      const double z = at(v)[2];
-      result = greater_error(result, m_problem.is_on_boundary(v) ? std::abs(z) : -z);
-    }
-    return result;
   }
 
   // ---- What rounding to `double` loses ----
@@ -209,9 +194,7 @@ private:
   // All other faces are on the back of the disk.
   bool is_inside(Face_index f) const
   {
-    return has_corner(f, [this](Vertex_index v) {
-      return v.idx() < m_problem.size() && !m_problem.is_on_boundary(v);
-    });
+    return has_corner(f, [this](Vertex_index v) { return m_problem.is_inside(v); });
   }
 
   // Returns whether a face is not flipped as seen from the center, and no face beside it is above

@@ -81,6 +81,10 @@ public:
     return v.idx() < size() && m_is_on_boundary[v.idx()];
   }
 
+  // Returns whether a vertex of the surface is not on the boundary, and false for a vertex of the
+  // second copy.
+  bool is_inside(Vertex_index v) const { return v.idx() < size() && !m_is_on_boundary[v.idx()]; }
+
   // Returns how many vertices of the double represent a vertex of the surface.
   double number_of_copies(std::size_t v) const
   {
