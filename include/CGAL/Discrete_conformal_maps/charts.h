@@ -210,8 +210,7 @@ inline double fit_into_unit_square(Planar_conformal_map& map)
   const internal::Chart_pieces pieces(map);
   Bbox_2 box;
   for(std::size_t n = 0; n < pieces.size(); ++n)
-    for(const std::complex<double>& z : pieces[n].polygon)
-      box += Bbox_2(z.real(), z.imag(), z.real(), z.imag());
+    box += internal::bounding_box(pieces[n].polygon);
   const double size = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
   if(!(size > 0))
     return 1;

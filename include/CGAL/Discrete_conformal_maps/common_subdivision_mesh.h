@@ -21,7 +21,6 @@
 
 #include <array>
 #include <cstddef>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -92,12 +91,6 @@ private:
   std::vector<std::array<double, 3>> m_points;
 };
 
-inline void check_layout(const Planar_conformal_map& map)
-{
-  if(!map.is_laid_out())
-    throw No_texture_coordinates(std::string("the map is not laid out: ") +
-                                 to_string(map.status()));
-}
 template <typename Map>
 void check_layout(const Map&)
 {}

@@ -108,15 +108,20 @@ inline bool has_whole_faces(const Planar_conformal_map& map)
 
 namespace internal {
 
+inline void check_layout(const Planar_conformal_map& map)
+{
+  if(!map.is_laid_out())
+    throw No_texture_coordinates(std::string("the map is not laid out: ") +
+                                 to_string(map.status()));
+}
+
 // Calls `write` with the halfedges of the faces of a graph and the images of their targets.
 // `images` computes the images of the corners of a part.
 template <typename Graph, typename Images, typename Function>
 void for_each_corner(const Planar_conformal_map& map, const Graph& g, const Images& images,
                      const Function& write)
 {
-  if(!map.is_laid_out())
-    throw No_texture_coordinates(std::string("the map is not laid out: ") +
-                                 to_string(map.status()));
+  check_layout(map);
   if(!has_whole_faces(map))
     throw No_texture_coordinates("edges had to be flipped, so the map is not projective on every "
                                  "face: use common_subdivision()");
