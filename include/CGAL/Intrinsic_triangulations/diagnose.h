@@ -231,47 +231,12 @@ private:
   Disjoint_sets m_components; // faces, joined across edges
 };
 
-template <class Points>
-void diagnose_embedded(const Diagnosis_complex& complex, const Points& points,
-                       Input_diagnosis& diagnosis)
+// Diagnoses a complex whose lengths follow from `data`: from points, or the lengths themselves.
+template <class Metric, class Data>
+void diagnose_with(const Diagnosis_complex& complex, const Data& data, Input_diagnosis& diagnosis)
 {
-  using Metric = Embedded_metric<Points>;
   Topology_diagnoser(complex, diagnosis)();
-  Metric_diagnoser<Metric>(complex, Metric(complex, points, diagnosis), diagnosis)();
-}
-
-inline void diagnose_lengths(const Diagnosis_complex& complex, const std::vector<double>& lengths,
-                             Input_diagnosis& diagnosis)
-{
-  using Metric = Abstract_metric;
-  Topology_diagnoser(complex, diagnosis)();
-  Metric_diagnoser<Metric>(complex, Metric(complex, lengths, diagnosis), diagnosis)();
-}
-
-template <class Graph, class NamedParameters>
-void diagnose_graph_points(const Graph& g, const Diagnosis_complex& complex,
-                           const NamedParameters& np, Input_diagnosis& diagnosis)
-{
-  const auto vpm = CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-    get_const_property_map(CGAL::vertex_point, g));
-  using Point = typename boost::property_traits<std::decay_t<decltype(vpm)>>::value_type;
-  std::vector<Point> points;
-  points.reserve(complex.number_of_vertices);
-  for(const auto v : vertices(g))
-    points.push_back(get(vpm, v));
-  diagnose_embedded(complex, points, diagnosis);
-}
-
-template <class Graph, class Length_map>
-void diagnose_graph_lengths(const Graph& g, const Diagnosis_complex& complex, const Length_map& map,
-                            Input_diagnosis& diagnosis)
-{
-  std::vector<double> lengths;
-  lengths.reserve(complex.number_of_edges());
-  for(const auto e : edges(g))
-    lengths.push_back(CGAL::to_double(get(map, e)));
-  diagnose_lengths(complex, lengths, diagnosis);
+  Metric_diagnoser<Metric>(complex, Metric(complex, data, diagnosis), diagnosis)();
 }
 
 } // namespace internal
@@ -305,7 +270,7 @@ diagnose_polygon_soup(const PointRange& points, const PolygonRange& polygons,
   Input_diagnosis result(kept_occurrences);
   const internal::Diagnosis_complex complex =
     internal::Soup_complex_builder(points.size(), result)(polygons);
-  internal::diagnose_embedded(complex, points, result);
+  internal::diagnose_with<internal::Embedded_metric<PointRange>>(complex, points, result);
   return result;
 }
 
@@ -346,11 +311,24 @@ Input_diagnosis diagnose(const Graph& g,
   const internal::Diagnosis_complex complex = internal::Graph_complex_builder<Graph>(g)();
   using Is_embedded =
     CGAL::parameters::is_default_parameter<NamedParameters, internal_np::edge_length_map_t>;
-  if constexpr(Is_embedded::value)
-    internal::diagnose_graph_points(g, complex, np, result);
-  else
-    internal::diagnose_graph_lengths(
-      g, complex, CGAL::parameters::get_parameter(np, internal_np::edge_length_map), result);
+  if constexpr(Is_embedded::value) {
+    const auto vpm = CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+      get_const_property_map(CGAL::vertex_point, g));
+    using Point = typename boost::property_traits<std::decay_t<decltype(vpm)>>::value_type;
+    std::vector<Point> points;
+    points.reserve(complex.number_of_vertices);
+    for(const auto v : vertices(g))
+      points.push_back(get(vpm, v));
+    internal::diagnose_with<internal::Embedded_metric<std::vector<Point>>>(complex, points, result);
+  } else {
+    const auto map = CGAL::parameters::get_parameter(np, internal_np::edge_length_map);
+    std::vector<double> lengths;
+    lengths.reserve(complex.number_of_edges());
+    for(const auto e : edges(g))
+      lengths.push_back(CGAL::to_double(get(map, e)));
+    internal::diagnose_with<internal::Abstract_metric>(complex, lengths, result);
+  }
   return result;
 }
 
