@@ -239,9 +239,13 @@ bool can_be_reset(const Intrinsic_triangulation<Traits>& tri)
 }
 
 // Resets T2 to T1 with the inserted vertices.
+// \throws Numerical_error if this is not possible
 template <typename Traits, typename Visitor>
 void restart_from_input(Intrinsic_triangulation<Traits>& tri, Visitor& visitor)
 {
+  if(!can_be_reset(tri))
+    throw Numerical_error(
+      "an edge is bent, and constrained edges that are not in the input prevent a restart");
   reset_with_vertices(tri, tri.number_of_inserted_vertices());
   visitor.before_exact_flips();
 }
@@ -254,9 +258,6 @@ Flipping_result flip_exactly(Intrinsic_triangulation<Traits>& tri, std::size_t l
   const double no_limit = std::numeric_limits<double>::infinity();
   Flipping_result result = flip_filtered(tri, limit, no_limit, visitor, concurrency);
   if(result.end == Flipping_result::End::doubt) {
-    if(!can_be_reset(tri))
-      throw Numerical_error(
-        "an edge is bent, and constrained edges that are not in the input prevent a restart");
     restart_from_input(tri, visitor);
     result.is_exact = true;
     result += flip_filtered(tri, limit - result.flips, no_limit, visitor, concurrency);

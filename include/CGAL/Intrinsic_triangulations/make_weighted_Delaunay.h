@@ -125,12 +125,8 @@ void flip_and_hide(Intrinsic_triangulation<Traits>& tri,
 template <typename Traits, typename Visitor>
 void straighten_edges(Intrinsic_triangulation<Traits>& tri, Visitor& visitor)
 {
-  if(Exact_flipping<Traits>(tri).find_lengths())
-    return;
-  if(!can_be_reset(tri))
-    throw Numerical_error(
-      "an edge is bent, and constrained edges that are not in the input prevent a restart");
-  restart_from_input(tri, visitor);
+  if(!Exact_flipping<Traits>(tri).find_lengths())
+    restart_from_input(tri, visitor);
 }
 
 // Returns a weight with all of its digits.
