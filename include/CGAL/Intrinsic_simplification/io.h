@@ -74,8 +74,6 @@ inline void write_operation(std::ostream& os, const Vertex_change& c)
 // Reads a hierarchy and repeats the operations on the connectivity.
 class Hierarchy_reader
 {
-  typedef Delta_complex::size_type size_type;
-
 public:
   explicit Hierarchy_reader(std::istream& is) : m_reader(is), m_lines(m_reader.lines()) {}
 
@@ -148,12 +146,6 @@ private:
     }
   }
 
-  size_type index(size_type end)
-  {
-    check(end > 0, "there is no element to refer to");
-    return m_lines.integer<size_type>(0, end - 1);
-  }
-
   double part()
   {
     const double x = m_lines.hexadecimal<double>();
@@ -163,7 +155,7 @@ private:
 
   void read_scaling()
   {
-    const Vertex_index v(index(m_mesh.num_vertices()));
+    const Vertex_index v(m_reader.index(m_mesh.num_vertices()));
     check(!m_mesh.is_removed(v) && !m_mesh.is_isolated(v), "there is no such vertex");
     const bool has_corners = m_lines.integer<int>(0, 1) == 1;
     const double factor = m_lines.hexadecimal<double>();
@@ -174,7 +166,7 @@ private:
   void read_flip()
   {
     namespace IT = Intrinsic_triangulations;
-    const Halfedge_index h(index(m_mesh.num_halfedges()));
+    const Halfedge_index h(m_reader.index(m_mesh.num_halfedges()));
     check(!m_mesh.is_removed(h) && IT::flip_status(h, m_mesh) == IT::Operation_status::possible,
           "the edge cannot be flipped");
     const double s = part(), t = part();
@@ -184,7 +176,7 @@ private:
 
   Face_index read_face()
   {
-    const Face_index f(index(m_mesh.num_faces()));
+    const Face_index f(m_reader.index(m_mesh.num_faces()));
     check(!m_mesh.is_removed(f), "there is no such face");
     return f;
   }

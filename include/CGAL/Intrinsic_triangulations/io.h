@@ -181,6 +181,14 @@ public:
     return result;
   }
 
+  // Reads the index of one of `count` elements.
+  size_type index(size_type count)
+  {
+    if(count == 0)
+      m_lines.fail("there is no element to refer to");
+    return number(count - 1);
+  }
+
 private:
   // Returns a point of a face as the point of its side `h`.
   Surface_point<FT> on_halfedge(Halfedge_index h, const Face_location<FT>& p,
@@ -232,13 +240,6 @@ private:
   }
 
   size_type number(size_type most) { return m_lines.integer<size_type>(0, most); }
-
-  size_type index(size_type count)
-  {
-    if(count == 0)
-      m_lines.fail("there is no element to refer to");
-    return number(count - 1);
-  }
 
   Halfedge_index read_halfedge(size_type edges)
   {
