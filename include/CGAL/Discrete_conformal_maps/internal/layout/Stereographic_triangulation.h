@@ -39,10 +39,6 @@ public:
     : m_mesh(mesh), m_position(std::move(position)), m_at_infinity(at_infinity)
   {}
 
-  const Delta_complex& mesh() const { return m_mesh; }
-  const std::vector<Point>& positions() const { return m_position; }
-  Vertex_index vertex_at_infinity() const { return m_at_infinity; }
-
   bool is_finite(Face_index f) const
   {
     for(Halfedge_index h : sides(f, m_mesh))

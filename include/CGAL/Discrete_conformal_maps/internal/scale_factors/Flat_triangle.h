@@ -135,13 +135,6 @@ public:
   FT half_defect() const { return FT(0); }
   // Returns the squared hyperbolic tangent of half a side, relative to the radius of curvature.
   static FT squared_tanh(const FT& /* length */) { return FT(0); }
-  // Returns the derivative of the angle at corner s by a logarithmic scale factor at s, which
-  // multiplies both its sides by e^(u/2). The derivative by a factor at another corner is half the
-  // cotangent at the third.
-  FT angle_derivative(std::size_t s) const
-  {
-    return -(m_cotangent[(s + 1) % 3] + m_cotangent[(s + 2) % 3]) / 2;
-  }
 
   // Returns whether the triangle is contained in its longest side.
   bool is_flat() const { return m_is_flat; }

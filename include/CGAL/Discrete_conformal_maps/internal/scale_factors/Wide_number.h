@@ -139,16 +139,6 @@ public:
     return Wide_number(log(x.m_mantissa) + Mantissa(static_cast<double>(x.exponent())) * ln_two(),
                        0);
   }
-  friend Wide_number cos(const Wide_number& x)
-  {
-    using std::cos;
-    return Wide_number(cos(x.in_range_of_mantissa()), 0);
-  }
-  friend Wide_number sin(const Wide_number& x)
-  {
-    using std::sin;
-    return Wide_number(sin(x.in_range_of_mantissa()), 0);
-  }
   friend Wide_number atan2(const Wide_number& y, const Wide_number& x)
   {
     using std::atan2;

@@ -109,7 +109,6 @@ public:
       m_factorization(plus_diagonal(cotan_laplacian(surface), m_rate), "heat flow")
   {}
 
-  const Mesh_components& components() const { return m_components; }
   // Returns A / t.
   const Vector& rates() const { return m_rate; }
   // Returns the elimination order of the vertices, which other matrices of the surface can use,
