@@ -15,11 +15,6 @@
 
 namespace CGAL::Discrete_conformal_maps {
 
-namespace internal {
-template <typename Energy, typename Visitor>
-using Ceres_steps = Ceres_iteration<Energy, Visitor>;
-} // namespace internal
-
 /// \ingroup PkgDiscreteConformalMapsMinimizers
 /// minimizes a convex energy by the L-BFGS method of the Ceres Solver, in coordinates in which the
 /// Hessian is the identity at the start.
@@ -35,7 +30,7 @@ using Ceres_steps = Ceres_iteration<Energy, Visitor>;
 /// factorized again after thirty iterations, and if no step makes progress.
 ///
 /// \cgalModels `ConvexMinimizer`
-class Ceres_minimizer : public internal::Iterative_minimizer<internal::Ceres_steps>
+class Ceres_minimizer : public internal::Iterative_minimizer<internal::Ceres_iteration>
 {
 public:
   /// makes a minimizer.
@@ -45,8 +40,8 @@ public:
   /// \pre `gradient_tolerance` is not negative.
   explicit Ceres_minimizer(double gradient_tolerance = internal::tolerance::gradient,
                            std::size_t maximum_number_of_iterations = 1000)
-    : internal::Iterative_minimizer<internal::Ceres_steps>(gradient_tolerance,
-                                                           maximum_number_of_iterations)
+    : internal::Iterative_minimizer<internal::Ceres_iteration>(gradient_tolerance,
+                                                               maximum_number_of_iterations)
   {}
 };
 

@@ -121,7 +121,7 @@ public:
   /// returns the number \f$n^+\f$ of crossings on the edge of `h`.
   Integer crossings(Halfedge_index h) const
   {
-    return Intrinsic_triangulations::crossings(m_n[edge_of(h)]);
+    return Intrinsic_triangulations::crossings(m_n[Edge_index(h)]);
   }
 
   /// returns the map of normal coordinates.
@@ -155,7 +155,7 @@ public:
   /// corner at the source of `h`, and the halfedge along `h`.
   Integer outgoing_halfedges_from(Halfedge_index h, const Delta_complex& mesh) const
   {
-    const int along = Intrinsic_triangulations::is_shared(m_n[edge_of(h)]);
+    const int along = Intrinsic_triangulations::is_shared(m_n[Edge_index(h)]);
     if(mesh.is_border(h))
       return Integer(along);
     return static_cast<Integer>(curves_leaving(mesh.next(h), mesh) + along);
@@ -217,7 +217,7 @@ public:
                                     const Outgoing_halfedges& outgoing_halfedges) const
   {
     const Vertex_index v = mesh.source(outgoing);
-    const size_type along = static_cast<size_type>(is_shared(edge_of(outgoing)));
+    const size_type along = static_cast<size_type>(is_shared(Edge_index(outgoing)));
     return outgoing_halfedges.halfedge(
       v, wrap(m_r[outgoing] + along + static_cast<size_type>(k), outgoing_halfedges.degree(v)));
   }
@@ -230,7 +230,7 @@ public:
                           const Outgoing_halfedges& outgoing_halfedges, const Visit& visit) const
   {
     // A boundary edge is shared.
-    if(!(m_n[edge_of(mesh.next(outgoing))] > 0))
+    if(!(m_n[Edge_index(mesh.next(outgoing))] > 0))
       return;
     const Integer leaving = curves_leaving(mesh.next(outgoing), mesh);
     for(Integer k(0); k < leaving; ++k)
@@ -259,7 +259,7 @@ public:
     internal::check_range(n_kl);
     const Halfedge_index lk = h, kl = opposite(h), ki = mesh.prev(lk), lj = mesh.prev(kl);
     flip_edge(h, mesh);
-    m_n[edge_of(h)] = n_kl;
+    m_n[Edge_index(h)] = n_kl;
     m_r[kl] =
       following_roundabout(ki, n.ki, n.il, n_kl, outgoing_halfedges.degree(mesh.target(lk)));
     m_r[lk] =
@@ -288,10 +288,10 @@ public:
     outgoing_halfedges.set_inserted(m, outgoing);
     for(std::size_t s = 0; s < 3; ++s) {
       const Halfedge_index inward = mesh.opposite(mesh.prev(side[s]));
-      m_n[edge_of(inward)] = at.n[s];
+      m_n[Edge_index(inward)] = at.n[s];
       m_r[mesh.opposite(inward)] = at.r[s];
-      m_r[inward] = following_roundabout(side[s], m_n[edge_of(side[s])], at.n[(s + 1) % 3], at.n[s],
-                                         outgoing_halfedges.degree(mesh.source(inward)));
+      m_r[inward] = following_roundabout(side[s], m_n[Edge_index(side[s])], at.n[(s + 1) % 3],
+                                         at.n[s], outgoing_halfedges.degree(mesh.source(inward)));
     }
     return m;
   }
@@ -321,8 +321,8 @@ public:
     const Halfedge_index im = Intrinsic_triangulations::split_edge(h, mesh);
     const Vertex_index m = mesh.target(im);
     outgoing_halfedges.set_inserted(m, outgoing);
-    m_n[edge_of(im)] = n.im;
-    m_n[edge_of(h)] = n.mj;
+    m_n[Edge_index(im)] = n.im;
+    m_n[Edge_index(h)] = n.mj;
     m_r[im] = r_i;
     m_r[mesh.opposite(im)] = r.im;
     m_r[h] = r.mj;
@@ -335,7 +335,7 @@ public:
   /// outgoing halfedges with indices `r_source` and `r_target`.
   void set_shared(Halfedge_index h, size_type r_source, size_type r_target)
   {
-    m_n[edge_of(h)] = Integer(-1);
+    m_n[Edge_index(h)] = Integer(-1);
     m_r[h] = r_source;
     m_r[opposite(h)] = r_target;
   }
@@ -365,8 +365,6 @@ public:
   }
 
 private:
-  static Edge_index edge_of(Halfedge_index h) { return Edge_index(h); }
-
   // Wraps `position`, which exceeds the degree by less than one round.
   static size_type wrap(size_type position, size_type degree)
   {
@@ -393,10 +391,10 @@ private:
     if(mesh.is_border(im))
       return;
     const Halfedge_index mk = mesh.next(im), ki = mesh.next(mk);
-    m_n[edge_of(mk)] = n_mk;
+    m_n[Edge_index(mk)] = n_mk;
     m_r[mk] = r_mk;
-    m_r[mesh.opposite(mk)] = following_roundabout(ki, m_n[edge_of(ki)], m_n[edge_of(im)], n_mk,
-                                                  outgoing_halfedges.degree(mesh.source(ki)));
+    m_r[mesh.opposite(mk)] = following_roundabout(ki, m_n[Edge_index(ki)], m_n[Edge_index(im)],
+                                                  n_mk, outgoing_halfedges.degree(mesh.source(ki)));
   }
 
   bool has_valid_crossings(Halfedge_index h, const Delta_complex& mesh) const

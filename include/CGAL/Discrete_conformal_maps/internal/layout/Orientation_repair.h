@@ -155,7 +155,7 @@ private:
   void find_move(std::size_t i, std::size_t corner, int exponent, bool may_flatten, Move& best)
   {
     const Point from = m_points[corner];
-    const double step = std::ldexp(unit(from), exponent);
+    const double step = std::ldexp(Orientations::unit(from), exponent);
     const std::size_t reversed = m_orientations.defects(i).reversed;
     Move move{corner, {}, defects_around(corner), {}};
     m_work += m_around.size(corner);
@@ -191,8 +191,6 @@ private:
             f({x / 2., y / 2., z});
   }
 
-  static double unit(const Point& p) { return Orientations::unit(p); }
-
   static Point moved(Point p, double step, const Point& direction)
   {
     for(std::size_t c = 0; c < dimension; ++c)
@@ -203,7 +201,7 @@ private:
   bool may_move(std::size_t corner, const Point& to) const
   {
     const Point &start = m_start[corner], from = m_points[corner];
-    const double bound = maximum_move * unit(start);
+    const double bound = maximum_move * Orientations::unit(start);
     for(std::size_t c = 0; c < dimension; ++c)
       if(to[c] != from[c] && !(m_low[c] < from[c] && from[c] < m_high[c] && m_low[c] <= to[c] &&
                                to[c] <= m_high[c] && std::abs(to[c] - start[c]) <= bound))
@@ -266,7 +264,7 @@ private:
   std::vector<std::size_t> cluster(std::size_t center, int size)
   {
     const Point& to = m_points[center];
-    const double radius = size * unit(to);
+    const double radius = size * Orientations::unit(to);
     const auto belongs = [&](std::size_t corner) {
       double distance = 0;
       for(std::size_t c = 0; c < dimension; ++c)
@@ -322,7 +320,7 @@ private:
     double least = depth_around(corner) * (1 - 1. / 1024);
     for(int exponent = -2; (1 << (exponent + 2)) <= 4 * maximum_move && least > 0; ++exponent)
       for_each_direction([&](const Point& direction) {
-        const Point to = moved(from, std::ldexp(unit(from), exponent), direction);
+        const Point to = moved(from, std::ldexp(Orientations::unit(from), exponent), direction);
         if(m_work >= m_maximum_work || !may_move(corner, to))
           return;
         m_points[corner] = to;

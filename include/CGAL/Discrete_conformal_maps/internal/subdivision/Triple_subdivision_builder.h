@@ -133,7 +133,6 @@ private:
   }
 
   static Layer layer(std::size_t family) { return family == 0 ? Layer::A : Layer::C; }
-  static Halfedge_index opposite(Halfedge_index h) { return Intrinsic_triangulations::opposite(h); }
 
   // Returns piece `p` of the halfedge `h` of B, counted from its source.
   Halfedge_index piece_of_side(Halfedge_index h, std::size_t p) const
@@ -228,9 +227,6 @@ private:
     Halfedge_index halfedge;
     Face_index face_of_A, face_of_C;
   };
-
-  static Layer layer(std::size_t family) { return Builder::layer(family); }
-  static Halfedge_index opposite(Halfedge_index h) { return Builder::opposite(h); }
 
   Halfedge_index piece_of_side(Halfedge_index h, std::size_t p) const
   {

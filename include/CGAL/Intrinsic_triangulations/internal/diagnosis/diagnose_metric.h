@@ -50,7 +50,8 @@ public:
     const auto& [u, v] = m_complex.edge_ends[e];
     const auto& p = m_points[u];
     const auto& q = m_points[v];
-    return std::hypot(to_double(p[0] - q[0]), to_double(p[1] - q[1]), to_double(p[2] - q[2]));
+    return std::hypot(CGAL::to_double(p[0] - q[0]), CGAL::to_double(p[1] - q[1]),
+                      CGAL::to_double(p[2] - q[2]));
   }
 
   void check_vertices()
@@ -128,18 +129,10 @@ private:
   Exact_point point(std::size_t v) const
   {
     const auto& p = m_points[v];
-    return Exact_point(to_double(p[0]), to_double(p[1]), to_double(p[2]));
+    return Exact_point(CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]));
   }
 
   Exact_point corner_point(std::size_t c) const { return point(m_complex.corner_vertex[c]); }
-
-  static double to_double(double x) { return x; }
-
-  template <class FT>
-  static double to_double(const FT& x)
-  {
-    return CGAL::to_double(x);
-  }
 
   const Diagnosis_complex& m_complex;
   const Points& m_points;
