@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Route.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Surface_patch.h>
+#include <CGAL/Intrinsic_simplification/internal/maps/largest_ear.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
 #include <algorithm>
@@ -59,7 +60,7 @@ double polygon_area(std::size_t n, const At& at)
   const Coordinates a = point(0);
   for(std::size_t c = 1; c + 1 < n; ++c) {
     const Coordinates b = point(c), d = point(c + 1);
-    sum += (b[1] - a[1]) * (d[2] - a[2]) - (b[2] - a[2]) * (d[1] - a[1]);
+    sum += relative_area(a, b, d);
   }
   return sum;
 }

@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
+#include <CGAL/Intrinsic_triangulations/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/Metric_surface.h>
 #include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/Pyramid_surface.h>
@@ -100,12 +101,8 @@ private:
   double greatest_circumradius() const
   {
     double result = 0;
-    for(Face_index f : m_surface.mesh().faces()) {
-      const auto h = sides(f, m_surface.mesh());
-      const Double_double a = m_surface.length(h[0]), b = m_surface.length(h[1]),
-                          c = m_surface.length(h[2]);
-      result = (std::max)(result, (a * b * c / quadrupled_area(a, b, c)).high());
-    }
+    for(Face_index f : m_surface.mesh().faces())
+      result = (std::max)(result, Face_metric<Double_double>(f, m_surface).circumradius().high());
     return result;
   }
 

@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/for_each_in_chunks.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Crossing_encloser.h>
@@ -39,12 +40,9 @@ std::vector<float> face_heights(const Surface& surface, Concurrency concurrency)
   const Delta_complex& mesh = surface.mesh();
   std::vector<float> result(mesh.num_faces());
   for_each_in_chunks<Face_index>(concurrency, mesh, [&](Face_index f) {
-    const Halfedge_index h = mesh.halfedge(f);
-    const auto length = [&](Halfedge_index x) {
-      return CGAL::to_double(get(surface.length_map(), mesh.edge(x)));
-    };
-    const double a = length(h), b = length(mesh.next(h)), c = length(mesh.prev(h)),
-                 longest = (std::max)({a, b, c});
+    const auto side = side_lengths(mesh.halfedge(f), surface);
+    const double a = CGAL::to_double(side[0]), b = CGAL::to_double(side[1]),
+                 c = CGAL::to_double(side[2]), longest = (std::max)({a, b, c});
     result[f.idx()] = static_cast<float>(quadrupled_area(a, b, c) / (2 * longest * longest));
   });
   return result;
