@@ -256,15 +256,6 @@ auto decorated_lengths(const Traits& traits, const LengthMap& tangent, const Del
   };
 }
 
-// Returns the values of `of` on the halfedge `h` and the four other sides of its faces.
-template <typename Function>
-auto diamond_of(const Function& of, Halfedge_index h, const Delta_complex& mesh)
-{
-  const Halfedge_index o = opposite(h);
-  return Diamond<decltype(of(h))>{of(h), of(mesh.next(h)), of(mesh.prev(h)), of(mesh.next(o)),
-                                  of(mesh.prev(o))};
-}
-
 // Calls a function object of `traits` with the diamond of the halfedge `h`: with radii if they
 // exist, otherwise with lengths.
 template <typename Function, typename Traits, typename LengthMap>

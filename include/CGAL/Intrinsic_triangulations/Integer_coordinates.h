@@ -435,9 +435,7 @@ template <typename EdgeMap>
 inline Diamond<typename boost::property_traits<EdgeMap>::value_type>
 diamond(const EdgeMap& map, Halfedge_index h, const Delta_complex& mesh)
 {
-  const Halfedge_index o = opposite(h);
-  return {map[mesh.edge(h)], map[mesh.edge(mesh.next(h))], map[mesh.edge(mesh.prev(h))],
-          map[mesh.edge(mesh.next(o))], map[mesh.edge(mesh.prev(o))]};
+  return internal::diamond_of([&](Halfedge_index x) { return map[mesh.edge(x)]; }, h, mesh);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -28,6 +28,19 @@ struct Diamond
     lj; ///< on the side before it in \f$jil\f$
 };
 
+namespace internal {
+
+// Returns the values of `of` on the halfedge `h` and the four other sides of its faces.
+template <typename Function, typename Halfedge, typename Mesh>
+auto diamond_of(const Function& of, Halfedge h, const Mesh& mesh)
+{
+  const Halfedge o = mesh.opposite(h);
+  return Diamond<decltype(of(h))>{of(h), of(mesh.next(h)), of(mesh.prev(h)), of(mesh.next(o)),
+                                  of(mesh.prev(o))};
+}
+
+} // namespace internal
+
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
 /// returns \f$n^+ = \max(n, 0)\f$, the number of transversal crossings.
 template <typename Integer>

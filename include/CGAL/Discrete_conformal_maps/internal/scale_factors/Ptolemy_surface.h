@@ -83,9 +83,8 @@ public:
   Diamond diamond(Halfedge_index h) const { return diamond(h, m_length); }
   Diamond diamond(Halfedge_index h, const std::vector<FT>& length) const
   {
-    const Halfedge_index o = opposite(h);
-    const auto of = [&](Halfedge_index x) { return length[Edge_index(x).idx()]; };
-    return {of(h), of(m_mesh.next(h)), of(m_mesh.prev(h)), of(m_mesh.next(o)), of(m_mesh.prev(o))};
+    return Intrinsic_triangulations::internal::diamond_of(
+      [&](Halfedge_index x) { return length[Edge_index(x).idx()]; }, h, m_mesh);
   }
 
   // Returns whether vertices have circles.

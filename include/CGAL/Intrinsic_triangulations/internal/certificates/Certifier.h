@@ -153,12 +153,10 @@ private:
   void check_condition(Edge_index e, Decisions& decisions, Delaunay_certificate& part)
   {
     const Halfedge_index h = m_mesh.halfedge(e);
-    const auto length = [this](Halfedge_index x) { return m_length[m_mesh.edge(x)]; };
     if(m_mesh.is_border(e) || m_pair.is_constrained(e))
       return;
-    const Halfedge_index o = m_mesh.opposite(h);
-    if(m_condition.is_certain(h, {length(h), length(m_mesh.next(h)), length(m_mesh.prev(h)),
-                                  length(m_mesh.next(o)), length(m_mesh.prev(o))})) {
+    const auto length = [this](Halfedge_index x) { return m_length[m_mesh.edge(x)]; };
+    if(m_condition.is_certain(h, diamond_of(length, h, m_mesh))) {
       ++part.decided_by_lengths;
       return;
     }

@@ -426,11 +426,8 @@ private:
   template <typename R>
   Sign sign_by_squares(Halfedge_index h) const
   {
-    const Halfedge_index o = m_mesh.opposite(h);
-    const auto square = [&](Halfedge_index x) { return exact_square<R>(x); };
-    return compare_opposite_angles(Diamond<R>{square(h), square(m_mesh.next(h)),
-                                              square(m_mesh.prev(h)), square(m_mesh.next(o)),
-                                              square(m_mesh.prev(o))});
+    return compare_opposite_angles(
+      diamond_of([&](Halfedge_index x) -> R { return exact_square<R>(x); }, h, m_mesh));
   }
 
   Flat_edges m_is_flat;

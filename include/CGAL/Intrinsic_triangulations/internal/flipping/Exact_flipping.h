@@ -287,9 +287,8 @@ private:
 
   Diamond<double> errors_around(Halfedge_index h) const
   {
-    const auto error = [this](Edge_index e) { return double(m_error[e.idx()]); };
-    const auto [jk, ki, il, lj] = edges_around(h, m_mesh);
-    return {error(m_mesh.edge(h)), error(jk), error(ki), error(il), error(lj)};
+    return diamond_of([this](Halfedge_index x) { return double(m_error[Edge_index(x).idx()]); }, h,
+                      m_mesh);
   }
 
   float greatest_error_around(Halfedge_index h) const
