@@ -140,7 +140,7 @@ public:
     const Segment& edge = m_edges[m];
     const FT right = -cross(m_end, edge.source), left = cross(m_end, edge.target);
     const FT t = right > 0 ? (left > 0 ? right / (right + left) : FT(1)) : FT(0);
-    const FT s = projected(edge, t), on_line = (std::max)(clamped(s), least);
+    const FT s = projected(edge, t), on_line = (std::max)(std::clamp(s, FT(0), FT(1)), least);
     if(m_squared_length > 0 && !(CGAL::abs(on_line - s) > rounding_unit<FT>()))
       return {on_line, t};
     return {on_line, along_edge(m, on_line)};
@@ -154,7 +154,9 @@ public:
     const Segment& edge = m_edges[m];
     const Vector ij = edge.target - edge.source;
     const FT square = dot(ij, ij);
-    return square > 0 ? clamped(dot(along_line * m_end - edge.source, ij) / square) : FT(0);
+    return square > 0
+             ? std::clamp<FT>(dot(along_line * m_end - edge.source, ij) / square, FT(0), FT(1))
+             : FT(0);
   }
 
   /// returns the position on the line that is closest to the point at `along_edge` on inner edge
@@ -162,7 +164,7 @@ public:
   /// \pre `finish()` has been called
   FT along_line(std::size_t m, const FT& along_edge) const
   {
-    return clamped(projected(m_edges[m], along_edge));
+    return std::clamp(projected(m_edges[m], along_edge), FT(0), FT(1));
   }
 
   /// \cond SKIP_IN_MANUAL
@@ -264,8 +266,6 @@ private:
     m_longest_way = (std::max)(m_longest_way, way);
     return way;
   }
-
-  static FT clamped(const FT& s) { return s < 0 ? FT(0) : s > 1 ? FT(1) : s; }
 
   std::vector<Segment> m_edges;
   Vector m_direction{}; // of the last edge

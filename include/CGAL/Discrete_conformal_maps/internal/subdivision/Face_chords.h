@@ -237,13 +237,8 @@ private:
 
   static FT projection(const std::array<FT, 3>& p, const Chord<FT>& c)
   {
-    const FT square = squared_length(c);
-    const FT t =
-      square > 0
-        ? FT(Intrinsic_triangulations::internal::dot(c.place[0], c.place[1], c.place[0], p) /
-             square)
-        : FT(1) / 2;
-    return (std::min)((std::max)(t, FT(0)), FT(1));
+    using Intrinsic_triangulations::internal::closest_between;
+    return squared_length(c) > 0 ? closest_between(c.place[0], c.place[1], p) : FT(1) / 2;
   }
 
   const Marked_edges<FT>& m_edges;

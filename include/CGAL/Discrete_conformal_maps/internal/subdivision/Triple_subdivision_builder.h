@@ -228,11 +228,6 @@ private:
     Face_index face_of_A, face_of_C;
   };
 
-  Halfedge_index piece_of_side(Halfedge_index h, std::size_t p) const
-  {
-    return m_builder.piece_of_side(h, p);
-  }
-
   // Returns piece `i` of a chord, counted from its first end.
   Halfedge_index piece_of_chord(std::size_t chord, std::size_t i) const
   {
@@ -313,9 +308,9 @@ private:
       On_A_and_C place;
       place[1 - k] = mark.other;
       place[k] = reversed(mark.across);
-      link(piece_of_side(h, p), inward, place, is_last);
+      link(m_builder.piece_of_side(h, p), inward, place, is_last);
       place[k] = mark.across;
-      link(opposite(inward), piece_of_side(h, p + 1), place, is_last);
+      link(opposite(inward), m_builder.piece_of_side(h, p + 1), place, is_last);
     }
   }
 
@@ -325,7 +320,7 @@ private:
   {
     const Halfedge_index before = m_chords.sides()[(s + 2) % 3], after = m_chords.sides()[s];
     const bool is_last = m_builder.is_last_at_source(m_face, after);
-    Halfedge_index out = piece_of_side(after, 0);
+    Halfedge_index out = m_builder.piece_of_side(after, 0);
     On_A_and_C place;
     for(std::size_t k = 0; k < 2; ++k)
       place[k] = Vertex_location{m_marks.outgoing(k, after)};
@@ -337,7 +332,7 @@ private:
       out = inward;
       place[chord.family] = Vertex_location{end.is_first ? chord.along : opposite(chord.along)};
     }
-    link(piece_of_side(before, m_chords.marks((s + 2) % 3).size()), out, place, is_last);
+    link(m_builder.piece_of_side(before, m_chords.marks((s + 2) % 3).size()), out, place, is_last);
   }
 
   void set_places_on_side(std::size_t s)

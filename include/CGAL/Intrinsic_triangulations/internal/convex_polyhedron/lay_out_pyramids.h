@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/Metric_surface.h>
 #include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/Precise_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/Pyramid.h>
@@ -65,13 +66,12 @@ private:
     double greatest_area = -1;
     for(Face_index f : m_surface.mesh().faces()) {
       const auto side = sides(f, m_surface.mesh());
-      const auto length = [&](Halfedge_index h) { return m_surface.length(h); };
-      const double area = quadrupled_area(length(side[0]), length(side[1]), length(side[2])).high();
+      const double area = Face_metric<Number>(f, m_surface).quadrupled_area().high();
       if(!(area > greatest_area))
         continue;
       greatest_area = area;
       result = *std::max_element(side.begin(), side.end(), [&](Halfedge_index h, Halfedge_index o) {
-        return length(h) < length(o);
+        return m_surface.length(h) < m_surface.length(o);
       });
     }
     return result;

@@ -49,7 +49,7 @@ FT closest_between(const Barycentric_coordinates<FT>& a, const Barycentric_coord
                    const Barycentric_coordinates<FT>& p)
 {
   const FT square = dot(a, b, a, b);
-  return square > 0 ? (std::min)((std::max)(FT(dot(a, b, a, p) / square), FT(0)), FT(1)) : FT(0);
+  return square > 0 ? std::clamp<FT>(dot(a, b, a, p) / square, FT(0), FT(1)) : FT(0);
 }
 
 template <typename FT>
@@ -136,7 +136,7 @@ private:
     const std::size_t s = apex(corner, weight);
     const std::size_t a = corner[s], b = corner[(s + 1) % 3], c = corner[(s + 2) % 3];
     const FT t = place_along(b, c, p), foot = place_along(b, c, m_corner[a]);
-    FT across = clamped(weight[s]);
+    FT across = std::clamp(weight[s], FT(0), FT(1));
     // The other two weights must not become negative.
     if(across * foot > t)
       across = t / foot;
@@ -168,11 +168,10 @@ private:
   // to 1.
   FT place_along(std::size_t a, std::size_t b, const Coordinates& p) const
   {
-    return clamped(dot(m_corner[a], m_corner[b], m_corner[a], p) /
-                   dot(m_corner[a], m_corner[b], m_corner[a], m_corner[b]));
+    return std::clamp<FT>(dot(m_corner[a], m_corner[b], m_corner[a], p) /
+                            dot(m_corner[a], m_corner[b], m_corner[a], m_corner[b]),
+                          FT(0), FT(1));
   }
-
-  static FT clamped(const FT& x) { return (std::min)((std::max)(x, FT(0)), FT(1)); }
 
   // Returns the image in a polygon without area. The point is projected to the longest diagonal or
   // side.
