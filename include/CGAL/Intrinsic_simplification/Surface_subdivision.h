@@ -402,27 +402,17 @@ private:
   void set_places_on_edges()
   {
     std::vector<char> has_more_places(m_mesh.number_of_vertices(), 0);
-    for_each_vertex_on_edge([&](Vertex_index v, size_type p) {
+    m_edges.for_each_vertex_on_edge([&](Vertex_index v, size_type p) {
       if(m_edges.piece_before(v) != p || m_result.is_vertex(Level::coarse, v))
         has_more_places[v] = 1;
     });
-    for_each_vertex_on_edge([&](Vertex_index v, size_type p) {
+    m_edges.for_each_vertex_on_edge([&](Vertex_index v, size_type p) {
       if(!has_more_places[v])
         return;
       const double t = internal::place_of_end(m_edges.pieces()[p]);
       for(const Halfedge_index part : {m_rotation.coarse_piece(p), m_rotation.coarse_piece(p + 1)})
         m_result.m_places_on_edges.emplace(End_of_part(v, Edge_index(part)), t);
     });
-  }
-
-  // Calls visit(v, p) for each vertex between two pieces of an edge; `p` is the first piece.
-  template <typename Visit>
-  void for_each_vertex_on_edge(const Visit& visit) const
-  {
-    const auto& pieces = m_edges.pieces();
-    for(size_type p = 0; p + 1 < pieces.size(); ++p)
-      if(pieces[p].edge == pieces[p + 1].edge)
-        visit(pieces[p].target, p);
   }
 
   const internal::Marked_fine_edges& m_edges;

@@ -54,7 +54,8 @@ public:
       add_fine_bends();
     sort_marks(ratios(), m_marks, m_pieces);
     number_marks();
-    find_pieces_before_vertices();
+    m_piece_before.assign(m_number_of_vertices, no_index);
+    for_each_vertex_on_edge([&](Vertex_index v, Curve_index p) { m_piece_before[v] = p; });
   }
 
   const Surface_map& map() const { return m_map; }
@@ -93,6 +94,15 @@ public:
 
   // Returns the piece that ends at a vertex inside an edge of the coarse level, otherwise none.
   Curve_index piece_before(Vertex_index v) const { return m_piece_before[v.idx()]; }
+
+  // Calls visit(v, p) for each vertex between two pieces of an edge; `p` is the first piece.
+  template <typename Visit>
+  void for_each_vertex_on_edge(const Visit& visit) const
+  {
+    for(Curve_index p = 0; p + 1 < m_pieces.size(); ++p)
+      if(m_pieces[p].edge == m_pieces[p + 1].edge)
+        visit(m_pieces[p].target, p);
+  }
 
   // ---- Marks ----
 
@@ -192,14 +202,6 @@ private:
     }
     m_numbers = Edge_marks(std::move(all));
     m_kept = Edge_marks(std::move(kept));
-  }
-
-  void find_pieces_before_vertices()
-  {
-    m_piece_before.assign(m_number_of_vertices, no_index);
-    for(Curve_index p = 0; p + 1 < m_pieces.size(); ++p)
-      if(m_pieces[p].edge == m_pieces[p + 1].edge)
-        m_piece_before[m_pieces[p].target] = p;
   }
 
   // ---- Vertices ----
