@@ -7,7 +7,6 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Corner.h>
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 
 #include <cmath>

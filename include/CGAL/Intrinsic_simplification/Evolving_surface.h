@@ -18,7 +18,6 @@
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/assertions.h>
 
 #include <array>
 #include <complex>

@@ -17,7 +17,6 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>

@@ -11,8 +11,6 @@
 #include <CGAL/Intrinsic_simplification/Surface_history.h>
 #include <CGAL/Intrinsic_triangulations/copy_input.h>
 
-#include <CGAL/assertions.h>
-
 #include <algorithm>
 #include <vector>
 

@@ -19,8 +19,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 #include <CGAL/Intrinsic_triangulations/thin_faces.h>
 
-#include <CGAL/number_utils.h>
-
 #include <boost/property_map/property_map.hpp>
 
 #include <Eigen/Core>

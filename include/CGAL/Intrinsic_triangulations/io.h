@@ -13,8 +13,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/input/number_text.h>
 
-#include <CGAL/number_utils.h>
-
 #include <array>
 #include <cstdint>
 #include <istream>

@@ -8,7 +8,6 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/boost/graph/helpers.h>
-#include <CGAL/boost/graph/iterator.h>
 
 #include <boost/property_map/property_map.hpp>
 

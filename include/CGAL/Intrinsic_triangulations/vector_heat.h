@@ -19,7 +19,6 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 
 #include <array>
 #include <cmath>

@@ -24,7 +24,6 @@
 #include <CGAL/Discrete_conformal_maps/internal/verification/exact_promises.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <utility>

@@ -18,7 +18,6 @@
 #include <Eigen/SparseCore>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <deque>
 #include <limits>

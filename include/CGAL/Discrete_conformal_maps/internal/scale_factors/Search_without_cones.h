@@ -25,8 +25,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {

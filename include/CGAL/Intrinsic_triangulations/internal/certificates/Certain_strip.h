@@ -19,8 +19,6 @@
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
-#include <CGAL/number_utils.h>
-
 #include <boost/config.hpp>
 
 #include <algorithm>

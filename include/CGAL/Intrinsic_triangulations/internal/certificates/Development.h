@@ -13,9 +13,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_corners.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 
-#include <CGAL/Uncertain.h>
-#include <CGAL/enum.h>
-
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>

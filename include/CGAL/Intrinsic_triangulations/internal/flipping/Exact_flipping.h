@@ -18,7 +18,6 @@
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <CGAL/Uncertain.h>
-#include <CGAL/enum.h>
 
 #include <boost/config.hpp>
 

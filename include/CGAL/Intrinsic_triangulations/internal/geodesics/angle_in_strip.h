@@ -14,7 +14,6 @@
 #include <CGAL/Intrinsic_triangulations/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/geodesics/Vertex_angles.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/lay_out_strip.h>
 
 #include <complex>

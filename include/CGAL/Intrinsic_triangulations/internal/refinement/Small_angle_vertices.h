@@ -13,8 +13,6 @@
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 
-#include <CGAL/number_utils.h>
-
 #include <boost/config.hpp>
 
 #include <algorithm>

@@ -10,8 +10,6 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_regions.h>
 
-#include <CGAL/number_utils.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
