@@ -241,11 +241,14 @@ std::string certificate_summary(const Statistics& s)
 {
   if(!s.contains("certified") || s["certified"] == true)
     return "";
+  std::string result = ", not certified";
+  if(const auto edges = s.value("non_delaunay_edges", std::size_t(0)); edges > 0)
+    result += "; edges that are not Delaunay: " + std::to_string(edges);
   const auto undecided =
     s.value("undecided", std::size_t(0)) + s.value("undecided_crossings", std::size_t(0));
-  return undecided == 0 ? ", not certified"
-                        : ", not certified; undecided because of too many square roots: " +
-                            std::to_string(undecided);
+  if(undecided > 0)
+    result += "; undecided because of too many square roots: " + std::to_string(undecided);
+  return result;
 }
 
 } // namespace

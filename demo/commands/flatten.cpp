@@ -344,7 +344,7 @@ std::string summary_of(const Planar_map&, const Statistics& s)
   text << s["cones"] << " cones, log scale factors " << s["log_scale_min"].get<double>() << " to "
        << s["log_scale_max"].get<double>() << ", " << s["flips"] << " + " << s["ptolemy_flips"]
        << " flips, " << s["flipped_triangles"] << " triangles flipped in the plane"
-       << first_flipped_face(s) << ", " << s["subdivision"]["faces"]
+       << flipped_slivers(s) << first_flipped_face(s) << ", " << s["subdivision"]["faces"]
        << " faces in the common subdivision, " << s["charts"]
        << (s["charts"] == 1 ? " chart" : " charts");
   if(!s["overlapping_charts"].empty())

@@ -29,9 +29,11 @@ const char* name_of(DCM::Flattening_stage stage)
 }
 
 // Returns advice for a user of this program.
-std::string advice(const std::string& command, DCM::Map_status status)
+std::string advice(const std::string& command, DCM::Map_status status, bool is_exact)
 {
   using Status = DCM::Map_status;
+  if(is_exact && status == Status::wrong_curvature)
+    return "leave out --exact, which certifies rounded lengths";
   if(status == Status::triangle_inequality || status == Status::no_minimum)
     return "try --solver newton, which flips edges";
   if(status == Status::not_circular)
@@ -62,7 +64,7 @@ std::string failure(Command_run& run, const Conformal_map& map, bool lacks_layou
     text << "; " << map.cause();
   if(lacks_layout)
     text << "; there is no layout to write";
-  text << "; " << advice(run.statistics()["command"], map.status());
+  text << "; " << advice(run.statistics()["command"], map.status(), run.options().is_exact);
   return text.str();
 }
 

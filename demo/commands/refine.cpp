@@ -55,6 +55,7 @@ beginning, and the result is certified. The statistics then have these keys:
   undecided  number of edges and vertices whose decision involves more than twelve independent
              square roots
   decisions  number of decisions at each stage
+  non_delaunay_edges  number of edges that are not Delaunay
 A result that is not certified is written too; the last line reports it.
 
 Vertices of the output have the property "kind" in .ply and .vtp. It is 0 for an input vertex, 1 for

@@ -68,6 +68,7 @@ void describe_certificate(Statistics& statistics, const Certificate& certificate
   statistics["certified"] = is_certified;
   statistics["ties"] = certificate.ties.size();
   statistics["undecided"] = certificate.undecided();
+  statistics["non_delaunay_edges"] = certificate.non_Delaunay_edges.size();
   statistics["decisions"] = {{"lengths", certificate.decided_by_lengths},
                              {"floating_point", certificate.decided_in_floating_point},
                              {"multiprecision", certificate.decided_in_multiprecision},

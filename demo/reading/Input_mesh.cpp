@@ -101,7 +101,7 @@ Repair_report repair_aloud(const std::string& path, Polygon_soup& soup, double w
   if(soup.polygons.empty())
     throw Program_error(path + ": has no faces after the repair; " +
                         (weld_distance > 0 ? "use --weld with a distance less than the edge lengths"
-                                           : "`intrinsic info` lists their defects"));
+                                           : "`intrinsic info` lists the defects of its faces"));
   return report;
 }
 

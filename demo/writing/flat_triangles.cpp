@@ -109,6 +109,12 @@ void describe_triangles_on_sphere(Statistics& statistics, const Output_mesh& mes
   name_faces(statistics, mesh, polygons);
 }
 
+std::string flipped_slivers(const Statistics& statistics)
+{
+  const auto slivers = statistics["flipped_slivers"].get<std::size_t>();
+  return slivers == 0 ? "" : " and " + std::to_string(slivers) + " slivers";
+}
+
 std::string first_flipped_face(const Statistics& statistics)
 {
   const Statistics& faces = statistics["flipped_faces"];

@@ -26,6 +26,9 @@ void describe_triangles(Statistics& statistics, const Output_mesh& mesh);
 // center, and names their first faces. A flat mesh contains the center, so none is flipped.
 void describe_triangles_on_sphere(Statistics& statistics, const Output_mesh& mesh, bool is_flat);
 
+// Returns how many slivers are flipped in the plane, or an empty text.
+std::string flipped_slivers(const Statistics& statistics);
+
 // Returns the first flipped triangle that these functions have found, or an empty text.
 std::string first_flipped_face(const Statistics& statistics);
 
