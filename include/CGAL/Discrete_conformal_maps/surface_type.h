@@ -10,6 +10,9 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/topological_type.h>
 
+#include <cstddef>
+#include <string>
+
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsHyperbolic
@@ -37,6 +40,20 @@ inline const char* to_string(Surface_type type)
   return "unknown";
 }
 
+namespace internal {
+
+// Checks the number of components with faces.
+inline void check_connected(std::size_t components)
+{
+  if(components == 0)
+    throw Intrinsic_triangulations::Invalid_input("the surface has no face");
+  if(components > 1)
+    throw Intrinsic_triangulations::Invalid_input("the surface has " + std::to_string(components) +
+                                                  " components; map them one by one");
+}
+
+} // namespace internal
+
 /// \ingroup PkgDiscreteConformalMapsHyperbolic
 /// returns the topology of a surface. Isolated vertices are ignored. Complexity: linear.
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
@@ -46,8 +63,7 @@ Surface_type surface_type(const Graph& g)
 {
   const Intrinsic_triangulations::Topological_type type =
     Intrinsic_triangulations::topological_type(g);
-  if(type.components != 1)
-    throw Intrinsic_triangulations::Invalid_input("the surface is not connected");
+  internal::check_connected(type.components);
   if(type.genus == 0 && type.boundary_loops < 3)
     return type.boundary_loops == 0   ? Surface_type::sphere
            : type.boundary_loops == 1 ? Surface_type::disk

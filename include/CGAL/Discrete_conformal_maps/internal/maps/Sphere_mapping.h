@@ -22,6 +22,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Vertex_circles.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/defect_errors.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/exact_promises.h>
+#include <CGAL/Discrete_conformal_maps/surface_type.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -37,8 +38,7 @@ inline void check_sphere(const Doubled_problem& problem)
 {
   const auto& types = problem.topology();
   const auto has_faces = [](const auto& type) { return type.components > 0; };
-  if(std::count_if(types.begin(), types.end(), has_faces) != 1)
-    throw Intrinsic_triangulations::Invalid_input("the surface is not connected");
+  check_connected(std::size_t(std::count_if(types.begin(), types.end(), has_faces)));
   const auto type = std::find_if(types.begin(), types.end(), has_faces);
   if(type->genus > 0 || type->boundary_loops > 1)
     throw Intrinsic_triangulations::Invalid_input("the surface is " + description(*type) +
