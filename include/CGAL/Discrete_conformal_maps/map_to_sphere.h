@@ -25,9 +25,9 @@ namespace CGAL::Discrete_conformal_maps {
 /// `Bounded_Newton_minimizer` finds scale factors, at first in `double`. Exact predicates decide
 /// whether the result is a convex polyhedron. If not, or if length cross ratios are wrong, it is
 /// computed with 106 binary digits. If no minimum has been found, this search starts from a metric
-/// that is flat far from the vertex at infinity. If these digits do not suffice, it is computed with
-/// 115 decimal digits. Its positions then have 1500 decimal digits. Up to 15 other vertices at infinity are
-/// tried next. The best result is returned. `Spherical_conformal_map::status()` is
+/// that is flat far from the vertex at infinity. If these digits do not suffice, it is computed
+/// with 115 decimal digits. Its positions then have 1500 decimal digits. Up to 15 other vertices at
+/// infinity are tried next. The best result is returned. `Spherical_conformal_map::status()` is
 /// `Map_status::success` only if it is convex and its length cross ratios have errors of at most
 /// \f$10^{-8}\f$ (see \ref dcm_status). A map that is not a success may have no positions: see
 /// `Spherical_conformal_map::is_laid_out()`. The polygon of a disk without inner vertices needs no
