@@ -400,14 +400,15 @@ def flatten(
     if (boundary_values is not None) != (boundary in ("scale", "curvature")):
         raise InputError("boundary_values are for the boundaries 'scale' and 'curvature'")
     has_bound = max_log_scale is not None or max_area_distortion is not None
+    given = "cones='none'" if isinstance(cones, str) else "prescribed cones"
     if cones is None:
         cones = "none" if boundary in _SHAPES else "greedy"
+        given = f"the boundary {boundary!r}, which has no cones by default"
     if isinstance(cones, str) and cones not in ("greedy", "exchanged", "none"):
         raise InputError(
             f"cones is {shortened(cones)}; it must be 'greedy', 'exchanged', 'none' or have values")
     if has_bound and not (isinstance(cones, str) and cones != "none"):
         name = "max_area_distortion" if max_log_scale is None else "max_log_scale"
-        given = "cones='none'" if isinstance(cones, str) else "prescribed cones"
         raise InputError(f"{name} is for cones='greedy' or 'exchanged', not for {given}")
     log_scale = area_distortion = np.inf
     if max_log_scale is not None:

@@ -84,9 +84,12 @@ class Flat(unittest.TestCase):
         inside = ((V[:, :2] > 0) & (V[:, :2] < 1)).all(axis=1)
         for bound in ({"max_log_scale": 0.3}, {"max_area_distortion": 2}):
             name = next(iter(bound))
-            for given in ({"boundary": "disk"}, {"boundary": "rectangle"}, {"cones": "none"},
-                          {"cones": {40: 1}}):
-                with self.assertRaisesRegex(intrinsic.InputError, f"{name} is for cones='greedy'"):
+            for given, said in (({"boundary": "disk"}, "the boundary 'disk'"),
+                                ({"boundary": "rectangle"}, "the boundary 'rectangle'"),
+                                ({"cones": "none"}, "cones='none'"),
+                                ({"cones": {40: 1}}, "prescribed cones")):
+                with self.assertRaisesRegex(intrinsic.InputError,
+                                            f"{name} is for cones='greedy'.* not for {said}"):
                     intrinsic.flatten(V, F, **given, **bound)
             m = intrinsic.flatten(V, F, boundary="disk", cones="greedy", **bound)
             self.assertLessEqual(abs(m.log_scale[inside]).max(), 0.35)
