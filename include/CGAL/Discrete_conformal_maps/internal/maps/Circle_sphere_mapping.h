@@ -253,12 +253,12 @@ private:
     std::vector<std::array<FT, 2>> in_plane;
     for(std::size_t v = 0; v < m_problem.originals().size(); ++v) {
       const Vertex_index w{Delta_complex::size_type(v)};
-      const bool is_isolated = m_problem.triangulation().mesh().is_isolated(w);
+      const bool is_isolated = m_builder.mesh().is_isolated(w);
       const auto p = is_isolated ? std::array<FT, 3>{0, 0, 1} : circles.position(w);
       in_plane.push_back(w == m_layout.at_infinity ? std::array<FT, 2>{0, 0} : projected(p));
     }
     m_layout.in_plane = in_range_of_squares(in_plane);
-    m_layout.round_positions(m_problem.triangulation().mesh());
+    m_layout.round_positions(m_builder.mesh());
   }
 
   // Returns the stereographic projection of a point of the unit sphere. Its distance from (0, 0, 1)
