@@ -634,7 +634,7 @@ TEST(Symmetric_lengths, are_symmetric)
       DCM::Flipping::to_Delaunay);
     problem.complete();
     const auto& t = problem.triangulation();
-    const auto length = problem.lengths<Double_double>(t);
+    const auto length = problem.symmetric_lengths<Double_double>(t);
     const auto original = [&](Vertex_index v) { return problem.original(v); };
     const auto is_inside = [&](Vertex_index v) { return !problem.is_on_boundary(original(v)); };
     for(Edge_index e : t.mesh().edges()) {

@@ -237,8 +237,8 @@ private:
     }
     while(is_enough) {
       Partially_decorated_surface<FT> surface(
-        m_problem.triangulation().mesh(), m_problem.template lengths<FT>(m_problem.triangulation()),
-        m_at_infinity);
+        m_problem.triangulation().mesh(),
+        m_problem.template symmetric_lengths<FT>(m_problem.triangulation()), m_at_infinity);
       surface.scale(m_problem.expanded(scale.values()));
       if(!m_problem.has_exceeded(surface.flips()))
         return lay_out(surface, scale);
@@ -342,8 +342,9 @@ private:
   void compare(const std::vector<std::array<FT, 2>>& position)
   {
     typedef Distance_of<FT> Length;
-    Ptolemy_surface<Length> ideal(m_problem.triangulation().mesh(),
-                                  m_problem.template lengths<Length>(m_problem.triangulation()));
+    Ptolemy_surface<Length> ideal(
+      m_problem.triangulation().mesh(),
+      m_problem.template symmetric_lengths<Length>(m_problem.triangulation()));
     ideal.replay(m_result.flips);
     const Delta_complex& mesh = ideal.mesh();
     m_result.cross_ratio_error = max_stereographic_cross_ratio_error(

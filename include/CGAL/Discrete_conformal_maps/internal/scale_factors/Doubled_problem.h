@@ -174,15 +174,27 @@ public:
       m_most_precise_length = exact_lengths<Decimal_115>(t);
     return boost::make_function_property_map<Edge_index>([this, &t](Edge_index e) {
       if(!has_precise_lengths())
-        return without_radii(std::is_same_v<FT, double> || has_no_copies()
-                               ? FT(t.length(e))
-                               : symmetric_length<FT>(e, t, m_original, equal_edges(t)),
-                             e, t);
+        return without_radii(FT(t.length(e)), e, t);
       if constexpr(is_most_precise)
         return converted<FT>(without_radii(m_most_precise_length[e.idx()], e, t));
       else
         return converted<FT>(without_radii(m_precise_length[e.idx()], e, t));
     });
+  }
+
+  // Returns `lengths()` without circles. With more digits than `double`, they are symmetric.
+  template <typename FT>
+  auto symmetric_lengths(const Triangulation& t) const
+  {
+    const bool is_symmetric =
+      has_precise_lengths() || has_no_copies() || std::is_same_v<FT, double>;
+    if(!is_symmetric && m_equal_edge.empty())
+      m_equal_edge = edges_of_equal_length(t, m_original);
+    return boost::make_function_property_map<Edge_index>(
+      [this, &t, is_symmetric, length = lengths<FT>(t)](Edge_index e) {
+        return is_symmetric ? FT(get(length, e))
+                            : symmetric_length<FT>(e, t, m_original, m_equal_edge);
+      });
   }
 
   // Returns the surface itself.
@@ -308,13 +320,6 @@ public:
   }
 
 private:
-  const std::vector<Edge_index>& equal_edges(const Triangulation& t) const
-  {
-    if(m_equal_edge.empty())
-      m_equal_edge = edges_of_equal_length(t, m_original);
-    return m_equal_edge;
-  }
-
   // Returns the length of the tangent of an edge if vertices have circles, otherwise its length.
   template <typename FT>
   FT without_radii(const FT& length, Edge_index e, const Triangulation& t) const

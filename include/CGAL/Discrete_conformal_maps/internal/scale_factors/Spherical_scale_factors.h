@@ -36,7 +36,8 @@ Symmetric_energy<Spherical_energy<FT>> spherical_energy(Doubled_problem& problem
 {
   return {problem, problem.triangulation(),
           [&problem, at_infinity](const Doubled_problem::Triangulation& t) {
-            return Spherical_energy<FT>(t.mesh(), problem.template lengths<FT>(t), at_infinity);
+            return Spherical_energy<FT>(t.mesh(), problem.template symmetric_lengths<FT>(t),
+                                        at_infinity);
           }};
 }
 
@@ -55,9 +56,9 @@ public:
   Spherical_scale_factors(Doubled_problem& problem, Vertex_index at_infinity)
     : m_problem(problem),
       m_at_infinity(at_infinity),
-      m_bound(Peacock_triangulation<FT>(problem.triangulation().mesh(),
-                                        problem.template lengths<FT>(problem.triangulation()),
-                                        at_infinity)
+      m_bound(Peacock_triangulation<FT>(
+                problem.triangulation().mesh(),
+                problem.template symmetric_lengths<FT>(problem.triangulation()), at_infinity)
                 .distances())
   {
     m_bound.resize(problem.size());
