@@ -155,9 +155,9 @@ constexpr std::size_t steps_with_more_digits = 300;
 // digits. If several searches follow, each one gets the remaining work divided by the second
 // number. On a large surface, all searches together may measure every face as often as the third
 // number says. A sphere is searched from several vertices, with several types of numbers. Each of
-// these searches gets the remaining work divided by the fourth number. A start of a caller gets the
-// work divided by the fifth number. If this is not enough, the start is far away, and the search
-// restarts without it.
+// these searches gets the remaining work divided by the fourth number. A start of a caller, and a
+// flat start of a sphere, get the work divided by the fifth number. If this is not enough, the
+// start is far away, and the search restarts without it.
 constexpr double work_for_map = 1.7e7, parts_of_work = 2, sure_measurements = 200,
                  parts_of_work_for_sphere = 16, parts_of_work_from_start = 8;
 // A minimization that has not converged after this number of steps ends.

@@ -172,13 +172,6 @@ private:
     return is_good();
   }
 
-  // Returns whether the minimization has ended far from a minimum. Then more digits do not help.
-  static bool is_lost(const Minimization_result& result)
-  {
-    return result.status != Minimization_status::converged &&
-           result.status != Minimization_status::rounding_limit;
-  }
-
   // Starts from a metric that is flat far from infinity. Only curvatures near infinity change
   // then, in few steps, even if scale factors are beyond the range of `double`. Returns whether the
   // result is good.

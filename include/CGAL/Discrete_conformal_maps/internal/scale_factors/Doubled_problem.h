@@ -182,17 +182,19 @@ public:
     });
   }
 
-  // Returns `lengths()` without circles. With more digits than `double`, they are symmetric.
+  // Returns the lengths of T_2 such that mirror images have the same length, with all digits of
+  // `FT`. Lengths in `double`, and lengths on the exact surface, are returned unchanged.
+  // \pre vertices have no circles
   template <typename FT>
   auto symmetric_lengths(const Triangulation& t) const
   {
-    const bool is_symmetric =
+    const bool is_unchanged =
       has_precise_lengths() || has_no_copies() || std::is_same_v<FT, double>;
-    if(!is_symmetric && m_equal_edge.empty())
+    if(!is_unchanged && m_equal_edge.empty())
       m_equal_edge = edges_of_equal_length(t, m_original);
     return boost::make_function_property_map<Edge_index>(
-      [this, &t, is_symmetric, length = lengths<FT>(t)](Edge_index e) {
-        return is_symmetric ? FT(get(length, e))
+      [this, &t, is_unchanged, length = lengths<FT>(t)](Edge_index e) {
+        return is_unchanged ? FT(get(length, e))
                             : symmetric_length<FT>(e, t, m_original, m_equal_edge);
       });
   }
