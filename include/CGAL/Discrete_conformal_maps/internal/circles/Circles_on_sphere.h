@@ -65,8 +65,10 @@ public:
   bool run(bool digits_suffice, Any_visitor& visitor)
   {
     typedef Precise<FT> Number;
+    m_invisible_error = digits_suffice ? tolerance::gradient : tolerance::invisible_gradient;
     if(!grow<FT>(visitor) ||
-       !((digits_suffice && has_good_layout()) || reach<Number>(1, visitor, m_circles.log_scale())))
+       !((digits_suffice && has_good_layout()) ||
+         reach<Number>(1, visitor, m_circles.log_scale(), m_newton.has_factorization())))
       return false;
     if(has_good_layout())
       m_circles.balance();
@@ -243,9 +245,11 @@ private:
   }
 
   // Makes steps of Newton's method for the radii of this fraction. A factorization is used again
-  // while its steps reduce the defects.
+  // while its steps reduce the defects. The last search has left one for the first step if
+  // `is_factorized` is true.
   template <typename FT>
-  bool reach(double part, Any_visitor& visitor, std::vector<Double_double> u)
+  bool reach(double part, Any_visitor& visitor, std::vector<Double_double> u,
+             bool is_factorized = false)
   {
     auto surface = surface_with<FT>(part);
     double before = std::numeric_limits<double>::infinity();
@@ -257,7 +261,7 @@ private:
       visitor.after_iteration(m_steps, error, before);
       if(ends_with(surface, u, error, before))
         return true;
-      if(!Fixed_face::leads_to(enough<FT>, error, before)) {
+      if(!(step == 0 && is_factorized) && !Fixed_face::leads_to(enough<FT>, error, before)) {
         ++m_steps;
         if(!m_newton.factorize(surface))
           return false;
@@ -277,8 +281,7 @@ private:
                  double error, double before)
   {
     const bool is_last = is_enough<FT>(error, before);
-    if(!is_last &&
-       !(error < (has_more_digits<FT> ? tolerance::invisible_gradient : tolerance::curvature)))
+    if(!is_last && !(error < (has_more_digits<FT> ? m_invisible_error : tolerance::curvature)))
       return false;
     keep(surface, u, error);
     return is_last || has_good_layout() == has_more_digits<FT>;
@@ -297,6 +300,8 @@ private:
   {
   public:
     explicit Fixed_face(std::shared_ptr<Shared_order> order) : m_order(std::move(order)) {}
+
+    bool has_factorization() const { return m_solver.has_value(); }
 
     // Returns whether the factorization is used again. A new factorization takes as long as some
     // steps. So the steps that are left must be fewer if they reduce errors like the last one.
@@ -407,7 +412,8 @@ private:
   std::optional<Balanced_circles<Decimal_1500>> m_separate_circles;
   std::vector<Halfedge_index> m_flips;
   Fixed_face m_newton;
-  double m_part = 0; // the fraction of the squared radii
+  double m_part = 0;                                        // the fraction of the squared radii
+  double m_invisible_error = tolerance::invisible_gradient; // changes no position in `double`
   // These are errors of the last polyhedron.
   double m_angle_error = std::numeric_limits<double>::infinity(), m_layout_error = m_angle_error;
   std::size_t m_steps = 0;

@@ -348,7 +348,7 @@ private:
   double concavity(Halfedge_index h, const Balanced_circles<FT>& circles) const
   {
     using Intrinsic_triangulations::internal::orientation;
-    typedef Difference_of<FT> Number;
+    typedef Distance_of<FT> Number;
     const Delta_complex& mesh = m_builder.mesh();
     const auto& a = circles.pole(mesh.source(h));
     const auto from_a = [&](Vertex_index v) {
