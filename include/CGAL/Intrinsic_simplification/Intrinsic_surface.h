@@ -251,16 +251,16 @@ private:
   // them. If rounded angles are all zero, they give no proportion.
   void set_frame(Vertex_index v)
   {
-    double corners = 0, sum = 0, before = 0;
+    double corners = 0, sum = 0;
     for_each_outgoing_halfedge(v, m_mesh, [&](Halfedge_index h) {
+      m_direction[h] = {sum, corners}; // before `h`
       corners += m_mesh.is_border(h) ? 0 : 1;
       sum += m_mesh.is_border(h) ? 0 : corner_angle(h);
     });
     const double all = m_mesh.is_border(v) ? pi<double>() : 2 * pi<double>();
     for_each_outgoing_halfedge(v, m_mesh, [&](Halfedge_index h) {
-      set_direction(h, std::polar(1., all * (sum > 0 ? before / sum : before / corners)));
-      if(!m_mesh.is_border(h))
-        before += sum > 0 ? corner_angle(h) : 1;
+      const double part = sum > 0 ? m_direction[h].real() / sum : m_direction[h].imag() / corners;
+      set_direction(h, std::polar(1., all * part));
     });
   }
 
