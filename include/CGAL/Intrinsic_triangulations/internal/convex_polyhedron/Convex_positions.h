@@ -93,12 +93,11 @@ corners_in_space(Halfedge_index h, const Delta_complex& mesh, const Polyhedron_p
           points[mesh.target(mesh.next(h)).idx()]};
 }
 
-// Returns the solid angle of a triangle, seen from `center` (van Oosterom and Strackee 1983).
-inline double solid_angle(const std::array<Polyhedron_kernel::Point_3, 3>& corner,
-                          const Polyhedron_kernel::Point_3& center)
+// Returns the solid angle of a triangle, seen from the origin (van Oosterom and Strackee 1983).
+inline double solid_angle(const std::array<Polyhedron_kernel::Point_3, 3>& corner)
 {
-  const Polyhedron_kernel::Vector_3 a = corner[0] - center, b = corner[1] - center,
-                                    c = corner[2] - center;
+  const Polyhedron_kernel::Vector_3 a = corner[0] - CGAL::ORIGIN, b = corner[1] - CGAL::ORIGIN,
+                                    c = corner[2] - CGAL::ORIGIN;
   const double la = std::sqrt(a.squared_length()), lb = std::sqrt(b.squared_length()),
                lc = std::sqrt(c.squared_length());
   return 2 * std::atan2(CGAL::cross_product(a, b) * c,
@@ -127,7 +126,7 @@ certified_polyhedron(const Delta_complex& mesh, typename Orientation_of::Points 
     const Halfedge_index h = mesh.halfedge(f);
     result.hidden_faces += orientation(points, {mesh.source(h), mesh.target(h),
                                                 mesh.target(mesh.next(h)), center}) != NEGATIVE;
-    angle += solid_angle(corners_in_space(h, mesh, rounded), CGAL::ORIGIN);
+    angle += solid_angle(corners_in_space(h, mesh, rounded));
   }
   result.degree = static_cast<int>(std::lround(angle / (4 * pi<double>())));
   return result;

@@ -45,7 +45,6 @@ class Developed_location
   typedef Development<Traits, Corners> Layout;
   typedef typename Layout::Placed_side Placed_side;
   typedef typename Layout::Complex Complex;
-  typedef Face_regions::Curve Curve;
   typedef Point_to_insert<double> Point;
 
 public:
