@@ -100,7 +100,7 @@ template <typename Tag, typename Copy, typename Images, typename NamedParameters
 void put_corners(const Input_part& part, const Copy& copy, const Images& images,
                  const NamedParameters& np)
 {
-  if constexpr(!CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value) {
+  if constexpr(Intrinsic_triangulations::internal::has_parameter<NamedParameters, Tag>()) {
     const auto map = CGAL::parameters::get_parameter(np, Tag());
     typedef typename boost::property_traits<std::decay_t<decltype(map)>>::value_type Value;
     const auto image = images();
@@ -118,10 +118,10 @@ void put_corners(const Input_part& part, const Copy& copy, const Images& images,
 template <typename NamedParameters>
 constexpr bool has_corners()
 {
-  using CGAL::parameters::is_default_parameter;
-  return !is_default_parameter<NamedParameters, internal_np::texture_coordinates_map_t>::value ||
-         !is_default_parameter<NamedParameters,
-                               internal_np::homogeneous_texture_coordinates_map_t>::value;
+  namespace IT = Intrinsic_triangulations;
+  return IT::internal::has_parameter<NamedParameters, internal_np::texture_coordinates_map_t>() ||
+         IT::internal::has_parameter<NamedParameters,
+                                     internal_np::homogeneous_texture_coordinates_map_t>();
 }
 
 } // namespace internal
@@ -199,7 +199,7 @@ void common_subdivision(const Map& map, Graph& out,
   namespace IT = Intrinsic_triangulations;
   constexpr bool is_spherical = std::is_same_v<Map, Spherical_conformal_map>;
   constexpr bool has_points =
-    !CGAL::parameters::is_default_parameter<NamedParameters, internal_np::input_point_map_t>::value;
+    IT::internal::has_parameter<NamedParameters, internal_np::input_point_map_t>();
   static_assert(has_points || is_spherical, "input_point_map() is missing");
   constexpr bool has_corners = internal::has_corners<NamedParameters>();
   if(has_corners)

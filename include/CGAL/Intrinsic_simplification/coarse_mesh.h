@@ -240,10 +240,10 @@ Coarse_mesh_quality coarse_mesh(const Evolving_surface& surface, const Surface_l
                                 Graph& out, const NamedParameters& np)
 {
   namespace IT = Intrinsic_triangulations;
-  static_assert(
-    !CGAL::parameters::is_default_parameter<NamedParameters, internal_np::input_point_map_t>::value,
-    "input_point_map() is missing");
-  const auto input = CGAL::parameters::get_parameter(np, internal_np::input_point_map);
+  typedef internal_np::input_point_map_t Tag;
+  static_assert(IT::internal::has_parameter<NamedParameters, Tag>(),
+                "input_point_map() is missing");
+  const auto input = CGAL::parameters::get_parameter(np, Tag());
   Evolving_surface refined = surface;
   const std::size_t inserted =
     IT::is_simplicial(Surface_level(surface).mesh()) ? 0 : internal::make_simplicial(refined);

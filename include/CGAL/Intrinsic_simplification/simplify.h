@@ -142,9 +142,9 @@ Simplification_result simplified(Evolving_surface& surface, Cost& cost,
 template <typename NamedParameters>
 void check_target()
 {
-  using CGAL::parameters::is_default_parameter;
-  if(is_default_parameter<NamedParameters, internal_np::number_of_vertices_t>::value &&
-     is_default_parameter<NamedParameters, internal_np::maximum_cost_t>::value)
+  using Intrinsic_triangulations::internal::has_parameter;
+  if(!has_parameter<NamedParameters, internal_np::number_of_vertices_t>() &&
+     !has_parameter<NamedParameters, internal_np::maximum_cost_t>())
     throw Intrinsic_triangulations::Invalid_input(
       "simplification needs a target: number_of_vertices() or maximum_cost()");
 }

@@ -242,7 +242,7 @@ template <typename Tag, typename NamedParameters, typename Elements, typename Co
 void put_parents(const NamedParameters& np, const Elements& elements, const Copy& copy,
                  const Parent_of& parent_of)
 {
-  if constexpr(!CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value) {
+  if constexpr(has_parameter<NamedParameters, Tag>()) {
     const auto map = CGAL::parameters::get_parameter(np, Tag());
     typedef typename boost::property_traits<std::decay_t<decltype(map)>>::value_type Value;
     for(std::size_t n = 0; n < elements.size(); ++n) {
@@ -328,7 +328,7 @@ bool write_input_points(const Subdivision_part<Subdivision>& part,
                         const Weights& weights, const NamedParameters& np)
 {
   typedef internal_np::input_point_map_t Tag;
-  constexpr bool has_points = !CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value;
+  constexpr bool has_points = internal::has_parameter<NamedParameters, Tag>();
   if constexpr(has_points) {
     const auto points = CGAL::parameters::get_parameter(np, Tag());
     const auto point = [&](Vertex_index v, const auto&) {

@@ -156,14 +156,10 @@ template <typename Graph, typename NamedParameters = CGAL::parameters::Default_n
 Convex_polyhedron convex_polyhedron(const Graph& g,
                                     const NamedParameters& np = CGAL::parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  typedef CGAL::parameters::is_default_parameter<NamedParameters,
-                                                 internal_np::curvature_tolerance_t>
-    Is_default;
+  typedef internal_np::curvature_tolerance_t Tag;
   std::optional<double> tolerance;
-  if constexpr(!Is_default::value)
-    tolerance = get_parameter(np, internal_np::curvature_tolerance);
+  if constexpr(internal::has_parameter<NamedParameters, Tag>())
+    tolerance = CGAL::parameters::get_parameter(np, Tag());
   return Convex_polyhedron(Intrinsic_triangulation<>(g, np), tolerance);
 }
 

@@ -309,12 +309,8 @@ Input_diagnosis diagnose(const Graph& g,
 {
   Input_diagnosis result;
   const internal::Diagnosis_complex complex = internal::Graph_complex_builder<Graph>(g)();
-  using Is_embedded =
-    CGAL::parameters::is_default_parameter<NamedParameters, internal_np::edge_length_map_t>;
-  if constexpr(Is_embedded::value) {
-    const auto vpm = CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-      get_const_property_map(CGAL::vertex_point, g));
+  if constexpr(!internal::has_parameter<NamedParameters, internal_np::edge_length_map_t>()) {
+    const auto vpm = internal::vertex_points(g, np);
     using Point = typename boost::property_traits<std::decay_t<decltype(vpm)>>::value_type;
     std::vector<Point> points;
     points.reserve(complex.number_of_vertices);

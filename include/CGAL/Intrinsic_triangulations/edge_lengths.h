@@ -8,12 +8,11 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Ball.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/NT_converter.h>
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
@@ -70,10 +69,7 @@ void compute_edge_lengths(const Graph& g, LengthMap length,
                           const NamedParameters& np = CGAL::parameters::default_values())
 {
   typedef typename boost::property_traits<LengthMap>::value_type FT;
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  const auto point = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                                      get_const_property_map(CGAL::vertex_point, g));
+  const auto point = internal::vertex_points(g, np);
   for(auto e : edges(g))
     put(length, e, internal::distance<FT>(get(point, source(e, g)), get(point, target(e, g))));
 }

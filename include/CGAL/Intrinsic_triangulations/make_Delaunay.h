@@ -180,10 +180,8 @@ Flipping_result flip_by_lengths(Intrinsic_triangulation<Traits>& tri, std::size_
 template <typename Traits, typename NamedParameters>
 bool are_exact_decisions_wanted(const NamedParameters& np)
 {
-  typedef CGAL::parameters::is_default_parameter<NamedParameters, internal_np::exact_decisions_t>
-    Is_default;
-  static_assert(Is_default::value || has_exact_decisions<Traits>() ||
-                  !is_rounded<typename Traits::FT>(),
+  static_assert(!has_parameter<NamedParameters, internal_np::exact_decisions_t>() ||
+                  has_exact_decisions<Traits>() || !is_rounded<typename Traits::FT>(),
                 "exact_decisions: the traits must be Euclidean_geometry_traits<double> or be "
                 "derived from them, without another strip, length, distance, convexity or "
                 "Delaunay condition");

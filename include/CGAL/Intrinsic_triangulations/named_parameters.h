@@ -124,6 +124,22 @@ auto curvature_tolerance(const Number& value);
 
 namespace internal {
 
+// Returns whether named parameters have a value for `Tag`.
+template <typename NamedParameters, typename Tag>
+constexpr bool has_parameter()
+{
+  return !CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value;
+}
+
+// Returns the positions of vertices of `g`, from the named parameter or from `g` itself.
+template <typename Graph, typename NamedParameters>
+auto vertex_points(const Graph& g, const NamedParameters& np)
+{
+  return CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+    get_const_property_map(CGAL::vertex_point, g));
+}
+
 // Returns the visitor of named parameters: a reference to the argument of `std::ref()`, or else a
 // copy, whose functions need not be constant. Without a visitor, returns `silent`.
 template <typename NamedParameters, typename Visitor>

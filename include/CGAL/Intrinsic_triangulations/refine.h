@@ -272,12 +272,11 @@ std::size_t insertion_limit(const Intrinsic_triangulation<Traits>& tri,
                             const typename Traits::FT& degrees,
                             const typename Traits::FT& circumradius, const NamedParameters& np)
 {
-  if constexpr(CGAL::parameters::is_default_parameter<
-                 NamedParameters, internal_np::maximum_number_of_insertions_t>::value)
-    return default_maximum_number_of_insertions(tri, degrees, circumradius);
+  typedef internal_np::maximum_number_of_insertions_t Tag;
+  if constexpr(has_parameter<NamedParameters, Tag>())
+    return static_cast<std::size_t>(CGAL::parameters::get_parameter(np, Tag()));
   else
-    return static_cast<std::size_t>(
-      CGAL::parameters::get_parameter(np, internal_np::maximum_number_of_insertions));
+    return default_maximum_number_of_insertions(tri, degrees, circumradius);
 }
 
 } // namespace internal

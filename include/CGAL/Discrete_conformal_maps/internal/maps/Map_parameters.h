@@ -30,15 +30,12 @@ std::vector<Vertex_condition> vertex_conditions(const Graph& g, const Delta_comp
                                                 const NamedParameters& np,
                                                 const Vertex_condition& on_boundary)
 {
-  using CGAL::parameters::get_parameter;
+  typedef internal_np::vertex_condition_map_t Tag;
   std::vector<Vertex_condition> result(mesh.num_vertices());
-  constexpr bool has_map =
-    !CGAL::parameters::is_default_parameter<NamedParameters,
-                                            internal_np::vertex_condition_map_t>::value;
-  if constexpr(has_map) {
+  if constexpr(Intrinsic_triangulations::internal::has_parameter<NamedParameters, Tag>()) {
     std::size_t number = 0;
     for(auto v : vertices(g))
-      result[number++] = get(get_parameter(np, internal_np::vertex_condition_map), v);
+      result[number++] = get(CGAL::parameters::get_parameter(np, Tag()), v);
   } else
     for(Vertex_index v : mesh.vertices())
       if(!mesh.is_isolated(v) && mesh.is_border(v))
@@ -63,31 +60,15 @@ struct Map_parameters
   std::vector<char> is_corner;        // of a rectangle, by the vertices of the surface
 };
 
-// Returns the scale factors to start from.
-template <typename Graph, typename NamedParameters>
-std::vector<double> initial_log_scales(const Graph& g, const NamedParameters& np)
-{
-  using CGAL::parameters::get_parameter;
-  std::vector<double> result;
-  for([[maybe_unused]] auto v : vertices(g))
-    if constexpr(CGAL::parameters::is_default_parameter<
-                   NamedParameters, internal_np::initial_log_scale_map_t>::value)
-      result.push_back(0);
-    else
-      result.push_back(get(get_parameter(np, internal_np::initial_log_scale_map), v));
-  return result;
-}
-
-// Returns the radii of the circles that are given as a named parameter.
-template <typename Graph, typename NamedParameters>
-std::vector<double> vertex_radii([[maybe_unused]] const Graph& g,
-                                 [[maybe_unused]] const NamedParameters& np)
+// Returns the values of the property map that named parameters have for `Tag`, if they have one.
+template <typename Tag, typename Graph, typename NamedParameters>
+std::vector<double> vertex_values([[maybe_unused]] const Graph& g,
+                                  [[maybe_unused]] const NamedParameters& np)
 {
   std::vector<double> result;
-  if constexpr(!CGAL::parameters::is_default_parameter<NamedParameters,
-                                                       internal_np::vertex_radius_map_t>::value)
+  if constexpr(Intrinsic_triangulations::internal::has_parameter<NamedParameters, Tag>())
     for(auto v : vertices(g))
-      result.push_back(get(CGAL::parameters::get_parameter(np, internal_np::vertex_radius_map), v));
+      result.push_back(get(CGAL::parameters::get_parameter(np, Tag()), v));
   return result;
 }
 
@@ -97,21 +78,22 @@ template <typename Graph, typename NamedParameters>
 Map_parameters map_parameters(const Graph& g, const Delta_complex& surface,
                               const NamedParameters& np, const Vertex_condition& on_boundary)
 {
+  namespace IT = Intrinsic_triangulations;
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   Map_parameters result;
   result.conditions = vertex_conditions(g, surface, np, on_boundary);
-  result.log_scale = initial_log_scales(g, np);
-  result.radii = vertex_radii(g, np);
+  result.log_scale = vertex_values<internal_np::initial_log_scale_map_t>(g, np);
+  result.log_scale.resize(surface.num_vertices(), 0);
+  result.radii = vertex_values<internal_np::vertex_radius_map_t>(g, np);
   result.cones = cone_choice(false, np);
   result.flipping =
     choose_parameter(get_parameter(np, internal_np::flipping), Flipping::to_Delaunay);
   result.has_exact_decisions =
     choose_parameter(get_parameter(np, internal_np::exact_decisions), false);
-  if constexpr(!CGAL::parameters::is_default_parameter<NamedParameters,
-                                                       internal_np::minimizer_t>::value)
+  if constexpr(IT::internal::has_parameter<NamedParameters, internal_np::minimizer_t>())
     result.minimizer = get_parameter(np, internal_np::minimizer);
-  result.concurrency = Intrinsic_triangulations::concurrency_of(np);
+  result.concurrency = IT::concurrency_of(np);
   result.layout = choose_parameter(get_parameter(np, internal_np::layout), Layout::least_squares);
   result.number_of_rounds = static_cast<std::size_t>(
     choose_parameter(get_parameter(np, internal_np::number_of_iterations), 100));

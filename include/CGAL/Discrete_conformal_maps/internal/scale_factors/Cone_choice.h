@@ -40,11 +40,10 @@ Cone_choice cone_choice(bool is_free, const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using CGAL::parameters::is_default_parameter;
-  constexpr bool
-    has_log_scale = !is_default_parameter<NamedParameters, internal_np::maximum_log_scale_t>::value,
-    has_distortion =
-      !is_default_parameter<NamedParameters, internal_np::maximum_area_distortion_t>::value;
+  using Intrinsic_triangulations::internal::has_parameter;
+  constexpr bool has_log_scale = has_parameter<NamedParameters, internal_np::maximum_log_scale_t>(),
+                 has_distortion =
+                   has_parameter<NamedParameters, internal_np::maximum_area_distortion_t>();
   const Cones cones = choose_parameter(get_parameter(np, internal_np::cones), Cones::automatic);
   double bound = std::numeric_limits<double>::infinity();
   if constexpr(has_distortion)

@@ -97,21 +97,6 @@ void set_lengths(const Graph& g, const Numbering& numbering, const Surface& copy
     put(copy.length_map(), copy.mesh().edge(numbering.halfedge_of(halfedge(e, g))), length(e));
 }
 
-// Returns the positions of vertices of `g`, from the named parameter or from `g` itself.
-template <typename Graph, typename NamedParameters>
-auto vertex_points(const Graph& g, const NamedParameters& np)
-{
-  return CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-    get_const_property_map(CGAL::vertex_point, g));
-}
-
-template <typename NamedParameters, typename Tag>
-constexpr bool has_parameter()
-{
-  return !CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value;
-}
-
 // Sets the lengths of `copy`. They are the lengths of the named parameter, the roots of squared
 // lengths, or the distances of vertices.
 template <typename Graph, typename NamedParameters, typename Numbering, typename Surface>
@@ -223,11 +208,9 @@ template <typename Graph, typename NamedParameters, typename Fix>
 void copy_constraints([[maybe_unused]] const Graph& g, [[maybe_unused]] const NamedParameters& np,
                       [[maybe_unused]] const Fix& fix)
 {
-  using CGAL::parameters::get_parameter;
-  using CGAL::parameters::is_default_parameter;
   typedef CGAL::internal_np::edge_is_constrained_t Tag;
-  if constexpr(!is_default_parameter<NamedParameters, Tag>::value) {
-    const auto is_constrained = get_parameter(np, CGAL::internal_np::edge_is_constrained);
+  if constexpr(has_parameter<NamedParameters, Tag>()) {
+    const auto is_constrained = CGAL::parameters::get_parameter(np, Tag());
     with_numbering(g, [&](const auto& numbering) {
       for(auto e : edges(g))
         if(get(is_constrained, e))
