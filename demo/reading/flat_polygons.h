@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <vector>
 
 using Flat_point = Kernel::Point_2;
@@ -40,6 +41,26 @@ inline std::array<int, 3> axes_by_area(const std::vector<Point>& points)
     return std::abs(area[static_cast<std::size_t>(x)]) >
            std::abs(area[static_cast<std::size_t>(y)]);
   });
+  return result;
+}
+
+// Returns the faces that an odd number of constraints separates from infinity, such as the faces
+// inside a simple polygon.
+inline std::vector<Corners> inner_faces(const Flat_triangulation& triangulation)
+{
+  std::map<Flat_triangulation::Face_handle, bool> is_inside{{triangulation.infinite_face(), false}};
+  std::vector<Flat_triangulation::Face_handle> stack{triangulation.infinite_face()};
+  while(!stack.empty()) {
+    const auto f = stack.back();
+    stack.pop_back();
+    for(int i = 0; i < 3; ++i)
+      if(is_inside.emplace(f->neighbor(i), is_inside.at(f) != f->is_constrained(i)).second)
+        stack.push_back(f->neighbor(i));
+  }
+  std::vector<Corners> result;
+  for(const auto f : triangulation.finite_face_handles())
+    if(is_inside.at(f))
+      result.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
   return result;
 }
 

@@ -16,7 +16,6 @@
 #include <cstdint>
 #include <iterator>
 #include <optional>
-#include <set>
 #include <string>
 #include <unordered_set>
 #include <utility>
@@ -52,25 +51,6 @@ Flat_points best_projection(const std::vector<Point>& points)
     if(Flat_points result = projection(points, x); !result.empty())
       return result;
   return {};
-}
-
-// Returns the faces of a triangulation inside the polygon of its constraints, which is simple.
-std::vector<Corners> inner_faces(const Flat_triangulation& triangulation)
-{
-  std::set<Flat_triangulation::Face_handle> outside{triangulation.infinite_face()};
-  std::vector<Flat_triangulation::Face_handle> stack(outside.begin(), outside.end());
-  while(!stack.empty()) {
-    const auto f = stack.back();
-    stack.pop_back();
-    for(int i = 0; i < 3; ++i)
-      if(!f->is_constrained(i) && outside.insert(f->neighbor(i)).second)
-        stack.push_back(f->neighbor(i));
-  }
-  std::vector<Corners> result;
-  for(const auto f : triangulation.finite_face_handles())
-    if(outside.count(f) == 0)
-      result.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
-  return result;
 }
 
 std::vector<Corners> triangles_of(const Flat_points& points)

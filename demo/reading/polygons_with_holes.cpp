@@ -41,7 +41,7 @@ public:
     Flat_triangulation triangulation;
     if(is_near(area, all) || !insert_sides(triangulation))
       return {};
-    std::vector<Corners> result = faces_between(triangulation);
+    std::vector<Corners> result = inner_faces(triangulation);
     double found = 0;
     for(const Corners& t : result)
       found += doubled_area({t[0], t[1], t[2]});
@@ -127,26 +127,6 @@ private:
       return false;
     }
     return true;
-  }
-
-  // Returns the faces that an odd number of sides separates from infinity.
-  static std::vector<Corners> faces_between(const Flat_triangulation& triangulation)
-  {
-    std::map<Flat_triangulation::Face_handle, bool> is_inside{
-      {triangulation.infinite_face(), false}};
-    std::vector<Flat_triangulation::Face_handle> stack{triangulation.infinite_face()};
-    while(!stack.empty()) {
-      const auto f = stack.back();
-      stack.pop_back();
-      for(int i = 0; i < 3; ++i)
-        if(is_inside.emplace(f->neighbor(i), is_inside.at(f) != f->is_constrained(i)).second)
-          stack.push_back(f->neighbor(i));
-    }
-    std::vector<Corners> result;
-    for(const auto f : triangulation.finite_face_handles())
-      if(is_inside.at(f))
-        result.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
-    return result;
   }
 
   const std::vector<std::size_t>& m_vertices;
