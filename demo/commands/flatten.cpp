@@ -31,7 +31,6 @@
 
 #include <boost/property_map/property_map.hpp>
 
-#include <functional>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -233,15 +232,11 @@ private:
   {
     const auto conditions =
       boost::make_iterator_property_map(m_conditions.begin(), get(boost::vertex_index, mesh()));
-    const auto radii =
-      boost::make_iterator_property_map(m_radii.begin(), get(boost::vertex_index, mesh()));
     const auto flipping =
       m_options.solver == "cetm" ? DCM::Flipping::none : DCM::Flipping::to_Delaunay;
     const double no_bound = std::numeric_limits<double>::infinity();
-    return shaped(DCM::parameters::concurrency_tag(CGAL::Parallel_if_available_tag())
-                    .mollification(m_mollification)
+    return shaped(map_parameters(mesh(), m_mollification, m_radii, m_visitor)
                     .vertex_condition_map(conditions)
-                    .vertex_radius_map(radii)
                     .cones(cones_named(m_options.cones))
                     .maximum_log_scale(m_options.maximum_log_scale.value_or(
                       m_options.maximum_area_distortion ? no_bound : 5))
@@ -249,8 +244,7 @@ private:
                     .layout(layout_named(m_options.layout))
                     .flipping(flipping)
                     .exact_decisions(m_run.options().is_exact)
-                    .minimizer(minimizer)
-                    .visitor(std::ref(m_visitor)));
+                    .minimizer(minimizer));
   }
 
   // Maps the mesh to a shape. Throws Program_error, which names the mesh, if it does not fit the

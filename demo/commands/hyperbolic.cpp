@@ -21,7 +21,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <sstream>
 #include <vector>
 
@@ -69,14 +68,10 @@ Hyperbolic_map uniformized(Command_run& run, double epsilon, const Conditions& c
 {
   const Mesh& mesh = run.input().mesh;
   Stage_visitor visitor{run};
-  const auto index = get(boost::vertex_index, mesh);
-  const auto condition = boost::make_iterator_property_map(conditions.begin(), index);
-  const auto radius = boost::make_iterator_property_map(radii.begin(), index);
-  return DCM::uniformize_hyperbolic(mesh, DCM::parameters::vertex_condition_map(condition)
-                                            .vertex_radius_map(radius)
-                                            .concurrency_tag(CGAL::Parallel_if_available_tag())
-                                            .mollification(epsilon)
-                                            .visitor(std::ref(visitor)));
+  const auto condition =
+    boost::make_iterator_property_map(conditions.begin(), get(boost::vertex_index, mesh));
+  return DCM::uniformize_hyperbolic(
+    mesh, map_parameters(mesh, epsilon, radii, visitor).vertex_condition_map(condition));
 }
 
 // Returns entries with more digits than numbers of JSON have.

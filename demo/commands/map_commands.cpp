@@ -7,6 +7,7 @@
 #include "Program_error.h"
 #include "commands/triangulation_stages.h"
 #include "page/show_angles.h"
+#include "reading/vertex_values.h"
 #include "writing/map_distortion.h"
 
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
@@ -79,6 +80,13 @@ Stages map_stages(bool has_cones)
     if(has_cones || stage != Stage::cones)
       result.emplace_back(name_of(stage));
   return result;
+}
+
+std::pair<double, std::vector<double>> built(Command_run& run, const std::string& radii)
+{
+  return run.timed("build", [&] {
+    return std::make_pair(mollification(run), vertex_numbers("--radii", radii, run.input()));
+  });
 }
 
 void Stage_visitor::start(DCM::Flattening_stage stage) { run.start_stage(name_of(stage)); }

@@ -14,8 +14,15 @@
 #include "writing/map_mesh.h"
 
 #include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
+#include <CGAL/Discrete_conformal_maps/named_parameters.h>
+
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/tags.h>
+
+#include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -46,6 +53,21 @@ struct Stage_visitor
     run.progress().long_step();
   }
 };
+
+// Returns the parameters that all maps have. `radii` and `visitor` must outlive them.
+inline auto map_parameters(const Mesh& mesh, double mollification, const std::vector<double>& radii,
+                           Stage_visitor& visitor)
+{
+  namespace parameters = CGAL::Discrete_conformal_maps::parameters;
+  return parameters::concurrency_tag(CGAL::Parallel_if_available_tag())
+    .mollification(mollification)
+    .vertex_radius_map(
+      boost::make_iterator_property_map(radii.begin(), get(boost::vertex_index, mesh)))
+    .visitor(std::ref(visitor));
+}
+
+// Returns the mollification and the radii of circles, which `radii` names. Times the stage "build".
+std::pair<double, std::vector<double>> built(Command_run& run, const std::string& radii);
 
 // Returns the stages of a map, in their order. `has_cones` states whether cones are placed.
 Stages map_stages(bool has_cones);

@@ -10,7 +10,6 @@
 #include "commands/flattening_conditions.h"
 #include "commands/map_commands.h"
 #include "commands/triangulation_stages.h"
-#include "reading/vertex_values.h"
 #include "writing/Mesh_writer.h"
 #include "writing/flat_triangles.h"
 
@@ -20,7 +19,6 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <map>
 #include <sstream>
@@ -90,13 +88,7 @@ Spherical_map mapped(Command_run& run, const Mesh& mesh, double epsilon,
                      const std::vector<double>& radii)
 {
   Stage_visitor visitor{run};
-  const auto radius =
-    boost::make_iterator_property_map(radii.begin(), get(boost::vertex_index, mesh));
-  return DCM::map_to_sphere(mesh,
-                            DCM::parameters::concurrency_tag(CGAL::Parallel_if_available_tag())
-                              .mollification(epsilon)
-                              .vertex_radius_map(radius)
-                              .visitor(std::ref(visitor)));
+  return DCM::map_to_sphere(mesh, map_parameters(mesh, epsilon, radii, visitor));
 }
 
 void describe(Statistics& statistics, const Spherical_map& map)
@@ -206,10 +198,7 @@ int sphere(const Common_options& common, const Sphere_options& options)
   Map_output output{options.output, format};
   output.precise = options.precise;
   return attempt(run, [&] {
-    const auto [epsilon, radii] = run.timed("build", [&] {
-      return std::make_pair(mollification(run),
-                            vertex_numbers("--radii", options.radii, run.input()));
-    });
+    const auto [epsilon, radii] = built(run, options.radii);
     if(component_faces(run.input().mesh).size() > 1)
       return map_components(run, output, epsilon, radii);
     output.component = description_of_component(run);

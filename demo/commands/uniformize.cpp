@@ -10,18 +10,13 @@
 #include "commands/flattening_conditions.h"
 #include "commands/map_commands.h"
 #include "commands/triangulation_stages.h"
-#include "reading/vertex_values.h"
 
 #include <CGAL/Discrete_conformal_maps/uniformize.h>
-
-#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <complex>
 #include <cstddef>
-#include <functional>
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -56,12 +51,7 @@ DCM::Uniformization uniformized(Command_run& run, const Mesh& mesh, double epsil
                                 const std::vector<double>& radii)
 {
   Stage_visitor visitor{run};
-  const auto radius =
-    boost::make_iterator_property_map(radii.begin(), get(boost::vertex_index, mesh));
-  return DCM::uniformize(mesh, DCM::parameters::concurrency_tag(CGAL::Parallel_if_available_tag())
-                                 .mollification(epsilon)
-                                 .vertex_radius_map(radius)
-                                 .visitor(std::ref(visitor)));
+  return DCM::uniformize(mesh, map_parameters(mesh, epsilon, radii, visitor));
 }
 
 bool is_flat(DCM::Surface_type type)
@@ -100,15 +90,6 @@ double right_end(const Mesh& mesh)
   return result;
 }
 
-// Returns the mollification and the radii of circles.
-std::pair<double, std::vector<double>> built(Command_run& run, const Hyperbolic_options& options)
-{
-  return run.timed("build", [&] {
-    return std::make_pair(mollification(run),
-                          vertex_numbers("--radii", options.radii, run.input()));
-  });
-}
-
 // Maps the components. Spheres are placed beside the mesh, if other components exist.
 int map_components(Command_run& run, const Hyperbolic_options& options, Mesh_format format)
 {
@@ -127,7 +108,7 @@ int map_components(Command_run& run, const Hyperbolic_options& options, Mesh_for
   if(has_other_ones)
     maps.set_first_center(right_end(run.input().mesh) + 1.5);
   run.plan({{"build"}, map_stages(has_flat_ones)});
-  const auto [epsilon, radii] = built(run, options);
+  const auto [epsilon, radii] = built(run, options.radii);
   maps.for_each([&, epsilon = epsilon, &radii = radii](const Component_mesh& component,
                                                        Statistics& statistics) {
     return add(maps, component, statistics,
@@ -160,7 +141,7 @@ int map_surface(Command_run& run, const Hyperbolic_options& options, Mesh_format
   run.statistics()["surface_type"] = DCM::to_string(type);
   check_options(options, type);
   run.plan({{"build"}, map_stages(is_flat(type))});
-  const auto [epsilon, radii] = built(run, options);
+  const auto [epsilon, radii] = built(run, options.radii);
   const DCM::Uniformization result = uniformized(run, run.input().mesh, epsilon, radii);
   Map_output output = map_output(options, format);
   Statistics& component = output.component.emplace(description_of_component(run));
