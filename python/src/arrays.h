@@ -5,6 +5,8 @@
 #ifndef INTRINSIC_PYTHON_ARRAYS_H
 #define INTRINSIC_PYTHON_ARRAYS_H
 
+#include <CGAL/Intrinsic_triangulations/sparse_assembly.h>
+
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
@@ -74,6 +76,21 @@ py::tuple sparse_arrays(Matrix matrix)
                         array(owned->innerIndexPtr(), owned->nonZeros()),
                         array(owned->outerIndexPtr(), owned->outerSize() + 1),
                         py::make_tuple(owned->rows(), owned->cols()));
+}
+
+// Returns a matrix with the weights `weights(row)` of vertices in each row, without zeros.
+template <class Weights>
+Eigen::SparseMatrix<double, Eigen::RowMajor>
+matrix_of_weights(std::size_t rows, std::size_t columns, const Weights& weights)
+{
+  const auto collect = [&](std::size_t row, auto& entries) {
+    const auto w = weights(row);
+    for(std::size_t c = 0; c < w.size; ++c)
+      if(w.weight[c] != 0)
+        entries.emplace_back(int(w.vertex[c].idx()), w.weight[c]);
+  };
+  return CGAL::Intrinsic_triangulations::assembled<Eigen::SparseMatrix<double, Eigen::RowMajor>>(
+    rows, columns, collect);
 }
 
 // Returns an array of `value_of(element)` for the elements of a range.

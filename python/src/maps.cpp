@@ -17,7 +17,6 @@
 #include <CGAL/Discrete_conformal_maps/sphere_points.h>
 #include <CGAL/Discrete_conformal_maps/texture_points.h>
 #include <CGAL/Discrete_conformal_maps/uniformize.h>
-#include <CGAL/Intrinsic_triangulations/sparse_assembly.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -69,51 +68,20 @@ std::vector<DCM::Vertex_condition> conditions_of(const Index_array& has_log_scal
 }
 
 template <class Parameters>
-DCM::Planar_conformal_map shaped(const Surface& surface, const std::string& boundary,
+DCM::Planar_conformal_map shaped(const IT::Delta_complex& mesh, const std::string& boundary,
                                  const Parameters& np)
 {
-  return with_lengths(surface, np, [&](const auto& parameters) {
-    if(boundary == "disk")
-      return DCM::flatten_to_disk(surface.mesh, parameters);
-    if(boundary == "rectangle")
-      return DCM::flatten_to_rectangle(
-        surface.mesh, DCM::rectangle_corners(surface.mesh, parameters), parameters);
-    return DCM::flatten(surface.mesh, parameters);
-  });
+  if(boundary == "disk")
+    return DCM::flatten_to_disk(mesh, np);
+  if(boundary == "rectangle")
+    return DCM::flatten_to_rectangle(mesh, DCM::rectangle_corners(mesh, np), np);
+  return DCM::flatten(mesh, np);
 }
 
-std::unique_ptr<Bound_planar_map> flattened(const Shared_surface& surface,
-                                            const Flattening_options& options,
-                                            const Index_array& has_log_scale,
-                                            const Number_array& values, const Number_array& radii,
-                                            const py::object& progress)
-{
-  Watch watch(progress, "build");
-  return released([&] {
-    const auto conditions = conditions_of(has_log_scale, values);
-    const auto index = get(boost::vertex_index, surface->mesh);
-    const auto condition = boost::make_iterator_property_map(conditions.begin(), index);
-    auto map = shaped(
-      *surface, options.boundary,
-      DCM::parameters::mollification(options.mollification)
-        .vertex_condition_map(condition)
-        .vertex_radius_map(boost::make_iterator_property_map(radii.data(), index))
-        .cones(cones_named(options.cones))
-        .maximum_log_scale(options.maximum_log_scale)
-        .maximum_area_distortion(options.maximum_area_distortion)
-        .layout(layout_named(options.layout))
-        .flipping(options.keeps_triangulation ? DCM::Flipping::none : DCM::Flipping::to_Delaunay)
-        .exact_decisions(options.is_exact)
-        .visitor(std::ref(watch)));
-    return std::make_unique<Bound_planar_map>(
-      Bound_planar_map{surface, std::move(map), watch.iterations()});
-  });
-}
-
-std::unique_ptr<Bound_spherical_map> mapped_to_sphere(const Shared_surface& surface,
-                                                      const Number_array& radii,
-                                                      double mollification,
-                                                      const py::object& progress)
+// Returns the result of `compute(np)`, where `np` are the parameters that all maps have.
+template <class Compute>
+auto computed(const Shared_surface& surface, const Number_array& radii, double mollification,
+              const py::object& progress, const Compute& compute)
 {
   Watch watch(progress, "build");
   return released([&] {
@@ -123,32 +91,49 @@ std::unique_ptr<Bound_spherical_map> mapped_to_sphere(const Shared_surface& surf
                             DCM::parameters::mollification(mollification)
                               .vertex_radius_map(radius)
                               .visitor(std::ref(watch)),
-                            [&](const auto& np) { return DCM::map_to_sphere(surface->mesh, np); });
-    return std::make_unique<Bound_spherical_map>(
-      Bound_spherical_map{surface, std::move(map), watch.iterations()});
+                            compute);
+    return Bound_map<decltype(map)>{surface, std::move(map), watch.iterations()};
   });
 }
 
-std::unique_ptr<Bound_hyperbolic_map>
-mapped_to_hyperbolic(const Shared_surface& surface, const Number_array& curvatures,
-                     const Number_array& radii, double mollification, const py::object& progress)
+Bound_planar_map flattened(const Shared_surface& surface, const Flattening_options& options,
+                           const Index_array& has_log_scale, const Number_array& values,
+                           const Number_array& radii, const py::object& progress)
 {
-  Watch watch(progress, "build");
-  return released([&] {
+  return computed(surface, radii, options.mollification, progress, [&](const auto& np) {
+    const auto conditions = conditions_of(has_log_scale, values);
+    const auto condition = boost::make_iterator_property_map(
+      conditions.begin(), get(boost::vertex_index, surface->mesh));
+    return shaped(
+      surface->mesh, options.boundary,
+      np.vertex_condition_map(condition)
+        .cones(cones_named(options.cones))
+        .maximum_log_scale(options.maximum_log_scale)
+        .maximum_area_distortion(options.maximum_area_distortion)
+        .layout(layout_named(options.layout))
+        .flipping(options.keeps_triangulation ? DCM::Flipping::none : DCM::Flipping::to_Delaunay)
+        .exact_decisions(options.is_exact));
+  });
+}
+
+Bound_spherical_map mapped_to_sphere(const Shared_surface& surface, const Number_array& radii,
+                                     double mollification, const py::object& progress)
+{
+  return computed(surface, radii, mollification, progress,
+                  [&](const auto& np) { return DCM::map_to_sphere(surface->mesh, np); });
+}
+
+Bound_hyperbolic_map mapped_to_hyperbolic(const Shared_surface& surface,
+                                          const Number_array& curvatures, const Number_array& radii,
+                                          double mollification, const py::object& progress)
+{
+  return computed(surface, radii, mollification, progress, [&](const auto& np) {
     std::vector<DCM::Vertex_condition> conditions;
     for(const double c : vector_of(curvatures))
       conditions.push_back(DCM::Vertex_condition::curvature(c));
-    const auto index = get(boost::vertex_index, surface->mesh);
-    const auto condition = boost::make_iterator_property_map(conditions.begin(), index);
-    auto map =
-      with_lengths(*surface,
-                   DCM::parameters::mollification(mollification)
-                     .vertex_condition_map(condition)
-                     .vertex_radius_map(boost::make_iterator_property_map(radii.data(), index))
-                     .visitor(std::ref(watch)),
-                   [&](const auto& np) { return DCM::uniformize_hyperbolic(surface->mesh, np); });
-    return std::make_unique<Bound_hyperbolic_map>(
-      Bound_hyperbolic_map{surface, std::move(map), watch.iterations()});
+    const auto condition = boost::make_iterator_property_map(
+      conditions.begin(), get(boost::vertex_index, surface->mesh));
+    return DCM::uniformize_hyperbolic(surface->mesh, np.vertex_condition_map(condition));
   });
 }
 
@@ -185,14 +170,9 @@ void add_elements(const DCM::Input_part& part, const Surface& surface, py::dict&
       starts.push_back(std::int64_t(corners.size()));
       input_face.push_back(part.subdivision().parent_face(DCM::Layer::A, f).idx());
     }
-    from_input = IT::assembled<Eigen::SparseMatrix<double, Eigen::RowMajor>>(
-      part.vertices().size(), surface.mesh.number_of_vertices(),
-      [&](std::size_t row, auto& entries) {
-        const auto w = part.input_weights(part.vertices()[row]);
-        for(std::size_t c = 0; c < w.size; ++c)
-          if(w.weight[c] != 0)
-            entries.emplace_back(int(w.vertex[c].idx()), w.weight[c]);
-      });
+    from_input =
+      matrix_of_weights(part.vertices().size(), surface.mesh.number_of_vertices(),
+                        [&](std::size_t row) { return part.input_weights(part.vertices()[row]); });
     for(std::size_t row = 0; surface.has_positions() && row < part.vertices().size(); ++row) {
       const auto w = part.input_weights(part.vertices()[row]);
       Kernel::Vector_3 sum = CGAL::NULL_VECTOR;
@@ -309,29 +289,18 @@ py::class_<Bound_map<Map>> bind_map(py::module_& module, const char* name)
 
 // ---- Uniformization ----
 
-template <class Map>
-py::object bound(const Shared_surface& surface, Map map, std::size_t iterations)
-{
-  return py::cast(
-    std::make_unique<Bound_map<Map>>(Bound_map<Map>{surface, std::move(map), iterations}));
-}
-
 // Returns the type of the surface, the map, and the modulus or None.
 py::tuple uniformized(const Shared_surface& surface, const Number_array& radii,
                       double mollification, const py::object& progress)
 {
-  Watch watch(progress, "build");
-  DCM::Uniformization result = released([&] {
-    const auto radius =
-      boost::make_iterator_property_map(radii.data(), get(boost::vertex_index, surface->mesh));
-    return with_lengths(*surface,
-                        DCM::parameters::mollification(mollification)
-                          .vertex_radius_map(radius)
-                          .visitor(std::ref(watch)),
-                        [&](const auto& np) { return DCM::uniformize(surface->mesh, np); });
-  });
+  auto [shared, result, iterations] =
+    computed(surface, radii, mollification, progress,
+             [&](const auto& np) { return DCM::uniformize(surface->mesh, np); });
   py::object map = std::visit(
-    [&](auto& any) { return bound(surface, std::move(any), watch.iterations()); }, result.map);
+    [&, count = iterations](auto& any) {
+      return py::cast(Bound_map<std::decay_t<decltype(any)>>{surface, std::move(any), count});
+    },
+    result.map);
   return py::make_tuple(DCM::to_string(result.type), map,
                         result.modulus ? py::cast(*result.modulus) : py::none());
 }

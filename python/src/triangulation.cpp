@@ -265,19 +265,15 @@ py::array function_across(const Bound_triangulation& self, bool from_input,
   }));
 }
 
-// Returns the values at the vertices of the triangulation of a function that is linear on the
-// input.
-Eigen::SparseMatrix<double, Eigen::RowMajor> matrix_of_weights(const Subdivision& subdivision,
-                                                               IT::Side side)
+// Returns the matrix of the values at the vertices of a subdivision of functions that are linear on
+// the faces of one side.
+auto matrix_of_side(const Subdivision& subdivision, IT::Side side)
 {
-  const auto collect = [&](std::size_t row, auto& entries) {
-    const auto w = subdivision.weights(side, IT::Vertex_index(Mesh::size_type(row)));
-    for(std::size_t c = 0; c < w.size; ++c)
-      if(w.weight[c] != 0)
-        entries.emplace_back(int(w.vertex[c].idx()), w.weight[c]);
-  };
-  return IT::assembled<Eigen::SparseMatrix<double, Eigen::RowMajor>>(
-    subdivision.mesh().number_of_vertices(), subdivision.mesh(side).number_of_vertices(), collect);
+  return matrix_of_weights(subdivision.mesh().number_of_vertices(),
+                           subdivision.mesh(side).number_of_vertices(), [&](std::size_t row) {
+                             return subdivision.weights(side,
+                                                        IT::Vertex_index(Mesh::size_type(row)));
+                           });
 }
 
 struct Polygon_arrays
@@ -325,8 +321,8 @@ py::dict common_subdivision(const Bound_triangulation& self)
     Subdivision subdivision(self.correspondence());
     positions = positions_of(subdivision, self.has_positions() ? self.surface().get() : nullptr);
     polygons = polygons_of(subdivision);
-    from_input = matrix_of_weights(subdivision, IT::Side::input);
-    from_intrinsic = matrix_of_weights(subdivision, IT::Side::intrinsic);
+    from_input = matrix_of_side(subdivision, IT::Side::input);
+    from_intrinsic = matrix_of_side(subdivision, IT::Side::intrinsic);
   });
   py::dict result;
   if(self.has_positions())
