@@ -25,6 +25,23 @@ Result = TypeVar("Result")
 SLACKS = (1e-8, 1e-6)
 
 
+class TriangleMesh:
+    """A mesh of triangles."""
+
+    V: Floats
+    F: Integers
+
+    @property
+    def vertices(self) -> Floats:
+        """The same as `V`, for other packages."""
+        return self.V
+
+    @property
+    def faces(self) -> Integers:
+        """The same as `F`, for other packages."""
+        return self.F
+
+
 def _packed_faces(faces: Any) -> Any:
     """Return rows of corners, also of pyvista's list 3, i, j, k, 3, ..."""
     array = array_of(faces, "F")

@@ -13,12 +13,12 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._arrays import Floats, Integers, integers, number
-from ._meshes import surface
+from ._meshes import TriangleMesh, surface
 from .triangulation import Triangulation
 
 
 @dataclass(frozen=True, eq=False)
-class ConvexPolyhedron:
+class ConvexPolyhedron(TriangleMesh):
     """A convex polyhedron, or a polygon with two sides.
 
     Attributes
@@ -54,16 +54,6 @@ class ConvexPolyhedron:
     def is_flat(self) -> bool:
         """Whether it is a polygon with two sides."""
         return self.kind == "polygon"
-
-    @property
-    def vertices(self) -> Floats:
-        """The same as `V`, for other packages."""
-        return self.V
-
-    @property
-    def faces(self) -> Integers:
-        """The same as `F`, for other packages."""
-        return self.F
 
 
 def convex_polyhedron(

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._arrays import Floats, Integers, number
-from ._meshes import arrays
+from ._meshes import TriangleMesh, arrays
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,7 +78,7 @@ def info(V: Any, F: ArrayLike | None = None) -> Info:
 
 
 @dataclass(frozen=True, eq=False)
-class Repair:
+class Repair(TriangleMesh):
     """A repaired mesh.
 
     Attributes
@@ -94,16 +94,6 @@ class Repair:
     V: Floats
     F: Integers
     report: dict[str, int]
-
-    @property
-    def vertices(self) -> Floats:
-        """The same as `V`, for other packages."""
-        return self.V
-
-    @property
-    def faces(self) -> Integers:
-        """The same as `F`, for other packages."""
-        return self.F
 
 
 def repair(V: Any, F: ArrayLike | None = None, *, weld: float = 0.0) -> Repair:

@@ -15,13 +15,13 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._arrays import (Floats, Integers, array_of, count, flag, floats, number, points_on, shortened,
                       sparse)
-from ._meshes import attempt, check_progress, surface
+from ._meshes import TriangleMesh, attempt, check_progress, surface
 from .errors import ArrayError, InputError
 from .triangulation import Progress, SurfacePoints, Triangulation
 
 
 @dataclass(frozen=True, eq=False)
-class CoarseMesh:
+class CoarseMesh(TriangleMesh):
     """The coarse triangulation as an ordinary mesh in space.
 
     Attributes
@@ -46,16 +46,6 @@ class CoarseMesh:
     input_vertex: Integers
     input_points: SurfacePoints
     quality: dict[str, float]
-
-    @property
-    def vertices(self) -> Floats:
-        """The same as `V`, for other packages."""
-        return self.V
-
-    @property
-    def faces(self) -> Integers:
-        """The same as `F`, for other packages."""
-        return self.F
 
 
 class Simplification:
