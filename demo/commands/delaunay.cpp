@@ -52,10 +52,7 @@ int write_triangulation(Command_run& run, const Delaunay_options& options, Mesh_
   const Subdivision subdivision = subdivide(run, triangulation);
   run.timed("write", [&] {
     Output_mesh mesh = subdivision_mesh(subdivision);
-    run.show([&](View_page& page) {
-      show(page, run, triangulation, subdivision, mesh);
-      develop_if_large(page, run, triangulation, subdivision);
-    });
+    run.show([&](View_page& page) { show(page, run, triangulation, subdivision, mesh); });
     add_input_data(run.input(), mesh);
     run.add_output(options.output, mesh, format);
     save(run, triangulation);

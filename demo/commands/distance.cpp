@@ -584,8 +584,7 @@ private:
       marks.lines.add_corner(static_cast<std::size_t>(add_point({segment.face, segment.target})));
       marks.lines.close();
     }
-    show(page, m_run, triangulation, subdivision, mesh);
-    develop_if_large(page, m_run, triangulation, subdivision, functions);
+    show(page, m_run, triangulation, subdivision, mesh, functions);
     page.add_marks(std::move(marks));
   }
 

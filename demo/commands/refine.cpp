@@ -168,7 +168,6 @@ int write_refinement(Command_run& run, const Refine_options& options, Mesh_forma
     Output_mesh mesh = subdivision_mesh(subdivision);
     run.show([&](View_page& page) {
       show(page, run, triangulation, subdivision, mesh);
-      develop_if_large(page, run, triangulation, subdivision);
       page.add_marks(faces_below_bounds(refinement, mesh));
     });
     if(options.bounds.is_simplicial) {

@@ -226,8 +226,7 @@ private:
         marks.points.push_back(static_cast<std::int64_t>(mesh.points.size()));
         mesh.points.push_back(position(p, m_run.input().mesh));
       }
-      ::show(page, m_run, triangulation, subdivision, std::move(mesh));
-      develop_if_large(page, m_run, triangulation, subdivision, std::move(intrinsic));
+      ::show(page, m_run, triangulation, subdivision, std::move(mesh), std::move(intrinsic));
       page.add_marks(std::move(marks));
     });
   }

@@ -272,17 +272,6 @@ std::vector<double> curvatures(Command_run& run)
   return result;
 }
 
-void show(View_page& page, Command_run& run, const Triangulation& triangulation,
-          const Subdivision& subdivision, Output_mesh mesh)
-{
-  mesh.point_data.push_back(
-    {"curvature", interpolated(IT::Side::input, curvatures(run), subdivision)});
-  add_input_data(run.input(), mesh);
-  page.add_surface("surface", mesh);
-  show_angles(page, "input", run.input().mesh, edge_lengths(run));
-  show_angles(page, "intrinsic", triangulation.mesh(), triangulation.length_map());
-}
-
 namespace {
 
 // Reports that --direct has no effect.
@@ -297,8 +286,7 @@ void note_subdivision(Command_run& run)
             << '\n';
 }
 
-} // namespace
-
+// Lets the page draw the last surface without the subdivision, if this is large or on request.
 void develop_if_large(View_page& page, Command_run& run, const Triangulation& triangulation,
                       const Subdivision& subdivision, std::vector<Attribute> vertex_data)
 {
@@ -318,12 +306,25 @@ void develop_if_large(View_page& page, Command_run& run, const Triangulation& tr
     note_subdivision(run);
 }
 
+} // namespace
+
+void show(View_page& page, Command_run& run, const Triangulation& triangulation,
+          const Subdivision& subdivision, Output_mesh mesh, std::vector<Attribute> vertex_data)
+{
+  mesh.point_data.push_back(
+    {"curvature", interpolated(IT::Side::input, curvatures(run), subdivision)});
+  add_input_data(run.input(), mesh);
+  page.add_surface("surface", mesh);
+  show_angles(page, "input", run.input().mesh, edge_lengths(run));
+  show_angles(page, "intrinsic", triangulation.mesh(), triangulation.length_map());
+  develop_if_large(page, run, triangulation, subdivision, std::move(vertex_data));
+}
+
 void show(Command_run& run, const Triangulation& triangulation)
 {
   run.show([&](View_page& page) {
     const Subdivision subdivision = subdivide(run, triangulation);
     show(page, run, triangulation, subdivision, subdivision_mesh(subdivision));
-    develop_if_large(page, run, triangulation, subdivision);
   });
 }
 

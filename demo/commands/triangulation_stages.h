@@ -118,15 +118,14 @@ Subdivision subdivide(Command_run& run, const Triangulation& triangulation);
 
 // Shows a subdivision on the page, with the curvature of the input, and histograms of the angles of
 // the input and of the triangulation.
+//
+// If the subdivision is large, or on request, the page draws the surface without it, with functions
+// `vertex_data` on the triangulation. Prints a note if the page cannot do this on request. It
+// cannot if lengths were mollified, because the page computes lengths of the input from its points,
+// or if single precision is insufficient.
 void show(View_page& page, Command_run& run, const Triangulation& triangulation,
-          const Subdivision& subdivision, Output_mesh mesh);
-
-// Lets the page draw the last surface without the subdivision, with these functions on the
-// triangulation. It does so if the subdivision is large, or on request, and prints a note if it
-// cannot on request. It cannot if lengths were mollified, because the page computes lengths of the
-// input from its points, or if single precision is insufficient.
-void develop_if_large(View_page& page, Command_run& run, const Triangulation& triangulation,
-                      const Subdivision& subdivision, std::vector<Attribute> vertex_data = {});
+          const Subdivision& subdivision, Output_mesh mesh,
+          std::vector<Attribute> vertex_data = {});
 
 // Computes and shows the common subdivision of the triangulation.
 void show(Command_run& run, const Triangulation& triangulation);
