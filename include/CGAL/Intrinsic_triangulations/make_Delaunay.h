@@ -176,6 +176,15 @@ Flipping_result flip_by_lengths(Intrinsic_triangulation<Traits>& tri, std::size_
     tri, [&] { return Flipping_by_lengths<Traits>(tri); }, limit, rounds, visitor, concurrency);
 }
 
+// Returns the number of flips that named parameters allow.
+template <typename NamedParameters>
+std::size_t flip_limit(const Delta_complex& mesh, const NamedParameters& np)
+{
+  return static_cast<std::size_t>(CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::number_of_iterations),
+    default_flip_limit(mesh.number_of_edges())));
+}
+
 // Returns whether exact decisions are requested, which is an error if they are not possible.
 template <typename Traits, typename NamedParameters>
 bool are_exact_decisions_wanted(const NamedParameters& np)
@@ -390,12 +399,7 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
 std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri,
                           const NamedParameters& np = CGAL::parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  const Delta_complex& mesh = tri.mesh();
-  const auto limit = static_cast<std::size_t>(
-    choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
-                     default_flip_limit(mesh.number_of_edges())));
+  const std::size_t limit = internal::flip_limit(tri.mesh(), np);
   const Concurrency concurrency = concurrency_of(np);
   Default_flip_visitor silent;
   auto&& visitor = internal::visitor_of(np, silent);

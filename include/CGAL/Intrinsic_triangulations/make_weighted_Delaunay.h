@@ -230,13 +230,9 @@ template <typename Traits, typename WeightMap,
 auto make_weighted_Delaunay(Intrinsic_triangulation<Traits>& tri, const WeightMap& weight,
                             const NamedParameters& np = CGAL::parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
   typedef typename Traits::FT FT;
   const Delta_complex& mesh = tri.mesh();
-  const auto limit = static_cast<std::size_t>(
-    choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
-                     default_flip_limit(mesh.number_of_edges())));
+  const std::size_t limit = internal::flip_limit(mesh, np);
   Default_flip_visitor silent;
   auto&& visitor = internal::visitor_of(np, silent);
   Weighted_Delaunay_result<FT> result;

@@ -386,15 +386,13 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri,
   const bool simplicial = choose_parameter(get_parameter(np, internal_np::simplicial), false);
   const auto predicate =
     choose_parameter(get_parameter(np, internal_np::face_predicate), internal::No_face());
-  const auto flips = static_cast<std::size_t>(
-    choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
-                     default_flip_limit(tri.mesh().number_of_edges())));
   Default_refinement_visitor silent;
   auto&& visitor = internal::visitor_of(np, silent);
   const internal::Face_bounds<Traits, decltype(predicate)> bounds(tri, degrees, circumradius,
                                                                   simplicial, predicate);
   const internal::Refinement_limits limits{
-    internal::insertion_limit(tri, degrees, circumradius, np), flips};
+    internal::insertion_limit(tri, degrees, circumradius, np),
+    internal::flip_limit(tri.mesh(), np)};
   [[maybe_unused]] const bool are_exact = internal::are_exact_decisions_wanted<Traits>(np);
   if constexpr(internal::has_exact_decisions<Traits>())
     if(internal::Is_exact<Traits>::value || are_exact)
