@@ -4,6 +4,7 @@
 
 #include "weights.h"
 
+#include <CGAL/Intrinsic_triangulations/certify_weighted_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/weights/Exact_weighted_flipping.h>
 #include <CGAL/Intrinsic_triangulations/internal/weights/Supporting_triangles.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
@@ -215,6 +216,41 @@ TEST(Weighted_Delaunay, gives_hidden_vertices_the_weights_of_visible_ones)
         EXPECT_LT(error_of_hidden_weights(points, weights, result.weights, 1 + range), 1e-12);
         EXPECT_TRUE(t.is_valid());
       }
+}
+
+// Rounding of such weights exceeds the heights of the other lifted points.
+TEST(Weighted_Delaunay, has_digits_for_great_weights)
+{
+  CGAL::Random random(17);
+  for(const double weight : {1e12, 1e16, 1e20, 1e25})
+    for(int sample = 0; sample < 5; ++sample) {
+      const std::vector<Point_2> points = random_points(40, random);
+      std::vector<double> weights(points.size(), 0.);
+      weights.back() = weight;
+      Triangulation t(planar_mesh(points));
+      const auto result = IT::make_weighted_Delaunay(t, map_of(weights));
+      EXPECT_EQ(result.hidden_vertices, regular_triangulation(points, weights).second);
+      EXPECT_GT(result.hidden_vertices.size(), 10u);
+      EXPECT_TRUE(
+        IT::certify_weighted_Delaunay(t, map_of(weights), result.hidden_vertices).is_Delaunay())
+        << weight << ' ' << sample;
+    }
+}
+
+TEST(Weighted_Delaunay, refuses_weights_beyond_its_digits)
+{
+  Triangulation t((cube()));
+  std::vector<double> weights(8, 0.);
+  for(const double weight : {1e40, 1e76}) {
+    weights[3] = weight;
+    EXPECT_THROW(IT::make_weighted_Delaunay(t, map_of(weights)), IT::Numerical_error);
+    EXPECT_TRUE(t.is_valid());
+  }
+  for(const double weight : {1e77, 1e308, -1e308}) {
+    weights[3] = weight;
+    EXPECT_THROW(IT::make_weighted_Delaunay(t, map_of(weights)), IT::Invalid_input);
+    EXPECT_THROW(IT::certify_weighted_Delaunay(t, map_of(weights), {}), IT::Invalid_input);
+  }
 }
 
 TEST(Supporting_triangles, solve_cycles_of_vertices)

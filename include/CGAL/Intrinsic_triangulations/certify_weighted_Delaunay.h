@@ -161,7 +161,7 @@ inline void check_hidden_vertices(const Vertex_weights& weights,
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \throws Invalid_input if \f$T_1\f$ is given by lengths that violate the triangle inequality, or
-///         a weight is infinite or NaN
+///         a weight is NaN or beyond the squares of lengths: \f$2^{254}\f$ for `double`
 /// \pre `hidden` are vertices of `tri`
 template <typename Traits, typename WeightMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -175,7 +175,7 @@ certify_weighted_Delaunay(const Intrinsic_triangulation<Traits>& tri, const Weig
   std::vector<double> given(tri.mesh().num_vertices(), 0.);
   for(Vertex_index v : tri.mesh().vertices())
     given[v.idx()] = get(weight, v);
-  internal::check_all_finite(given, "the weight");
+  internal::check_weights(given);
   internal::check_exact_triangles(internal::exact_input(tri));
   const Concurrency concurrency = concurrency_of(np);
   const internal::Edge_courses<Traits> courses(tri, concurrency);

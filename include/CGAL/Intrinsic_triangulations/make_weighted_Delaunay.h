@@ -184,8 +184,9 @@ void flip_and_hide_precisely(Intrinsic_triangulation<Traits>& tri, const WeightM
 /// there were more flips than edges, lengths are recomputed from \f$T_1\f$. With
 /// `exact_decisions`, lengths and weights with 155 decimal digits decide, computed from the exact
 /// surface and from all digits of weights of type `Double_double`. They also decide if rounding
-/// prevents the result, or if rounding changes the weight of a hidden vertex because its faces have
-/// little area. Weights and lengths of the result are rounded.
+/// prevents the result, or if rounding changes the weight of a hidden vertex. The reasons are faces
+/// with little area, and weights that exceed squared lengths by \f$2^{23}\f$. Weights and lengths
+/// of the result are rounded.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraits` for Euclidean triangles
 /// \tparam WeightMap a model of `ReadablePropertyMap` with key type `Vertex_index` and a value type
@@ -217,9 +218,10 @@ void flip_and_hide_precisely(Intrinsic_triangulation<Traits>& tri, const WeightM
 /// \returns the number of flips, the hidden vertices and the weights for which `tri` is weighted
 ///          Delaunay
 /// \throws Flip_limit_exceeded if more flips than allowed were needed
-/// \throws Invalid_input if a weight is infinite or NaN
-/// \throws Numerical_error if a length is not positive and finite, or rounding of the lengths
-///         prevents the postcondition
+/// \throws Invalid_input if a weight is NaN, or beyond the squares of lengths: \f$2^{254}\f$ for
+///         `double`
+/// \throws Numerical_error if a length is not positive and finite, or rounding of lengths or
+///         weights prevents the postcondition
 /// \throws Overflow_error if a normal coordinate is out of range
 ///
 /// After an exception `tri` is a valid triangulation of the same surface.
@@ -239,7 +241,7 @@ auto make_weighted_Delaunay(Intrinsic_triangulation<Traits>& tri, const WeightMa
   result.weights.assign(mesh.num_vertices(), FT(0));
   for(Vertex_index v : mesh.vertices())
     result.weights[v.idx()] = FT(get(weight, v));
-  internal::check_all_finite(result.weights, "the weight");
+  internal::check_weights(result.weights);
   [[maybe_unused]] const bool is_exact = internal::are_exact_decisions_wanted<Traits>(np);
   if constexpr(internal::has_exact_decisions<Traits>() && !internal::Is_exact<Traits>::value) {
     const std::vector<double> given = result.weights;

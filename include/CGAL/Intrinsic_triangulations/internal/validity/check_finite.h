@@ -11,9 +11,12 @@
 
 #include <CGAL/number_utils.h>
 
+#include <cmath>
 #include <complex>
 #include <cstddef>
+#include <limits>
 #include <string>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -48,6 +51,21 @@ void check_all_finite(const Range& values, const char* what)
   std::size_t v = 0;
   for(const auto& value : values)
     check_finite(value, v++, what);
+}
+
+// Checks that the weights of all vertices are finite. Rounded weights must not exceed the squares
+// of lengths in general, so that no product overflows.
+// \throws Invalid_input if a weight is out of this range
+template <typename FT>
+void check_weights(const std::vector<FT>& weights)
+{
+  check_all_finite(weights, "the weight");
+  if constexpr(std::numeric_limits<FT>::is_iec559)
+    for(std::size_t v = 0; v < weights.size(); ++v)
+      if(const int exponent = std::numeric_limits<FT>::max_exponent / 4 - 2;
+         std::abs(weights[v]) > std::ldexp(FT(1), exponent))
+        throw Invalid_input("the weight at vertex " + std::to_string(v) +
+                            " exceeds the squares of lengths, 2^" + std::to_string(exponent));
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -50,6 +50,18 @@ public:
     elimination.solve(weights);
   }
 
+  // Checks that a relative error `u` of weights moves no hidden vertex by more than the heights of
+  // lifted points, which are squares of lengths.
+  // \throws Numerical_error if a hidden vertex moves farther
+  void check_digits(const std::vector<FT>& weights, const FT& u) const
+  {
+    const auto size = [](const FT& x) { return x > 0 ? x : FT(-x); };
+    for(const auto& [v, triangle] : m_triangle)
+      if(size(triangle.constant) < u * size(weights[v.idx()]))
+        throw Numerical_error("the weights that hide vertex " + std::to_string(v.idx()) +
+                              " are so great that rounding exceeds the squares of lengths");
+  }
+
 private:
   typedef std::map<Vertex_index, Supporting_triangle<FT>> Triangles;
 

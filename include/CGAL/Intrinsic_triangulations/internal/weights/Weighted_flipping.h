@@ -29,6 +29,13 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
+// Returns a part of which `error` is the ninth decimal digit.
+template <typename FT>
+FT error_of_nine_digits(const FT& error)
+{
+  return FT(std::ldexp(1., 30)) * error;
+}
+
 // Provides the stored lengths of T2.
 template <typename Traits>
 class Stored_lengths
@@ -48,9 +55,7 @@ public:
   // digits. Returns zero if no more precise lengths are available.
   static FT least_squared_area()
   {
-    return has_exact_decisions<Traits>() && !Is_exact<Traits>::value
-             ? FT(std::ldexp(1., 30)) * error()
-             : FT(0);
+    return has_exact_decisions<Traits>() ? error_of_nine_digits(error()) : FT(0);
   }
 
   bool is_flippable(Halfedge_index h) const { return m_tri.is_flippable(h); }
@@ -196,6 +201,7 @@ public:
       return false;
     const std::vector<FT> before = m_weights;
     triangles.set_weights(m_weights);
+    triangles.check_digits(m_weights, error_of_nine_digits(Lengths::error()));
     for(Vertex_index v : m_mesh.vertices())
       if(m_weights[v.idx()] != before[v.idx()])
         forget_edges_around(v);
