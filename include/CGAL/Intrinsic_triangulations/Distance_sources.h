@@ -70,14 +70,16 @@ public:
   explicit Distance_sources(const Surface& surface) : m_surface(internal::view_of(surface)) {}
 
   /// adds a vertex.
+  /// \throws Invalid_input if the surface has no such vertex
   void add(Vertex_index v)
   {
+    internal::check_point(v, m_surface.mesh());
     m_vertices.push_back(v);
     m_parts.push_back(internal::Source_part<FT>::at_vertex(v));
   }
 
   /// adds a point of a face, also on its boundary.
-  /// \pre the coordinates of `p` are not negative and sum up to one
+  /// \throws Invalid_input if the coordinates of `p` are negative or do not sum up to one
   void add(const Face_location<FT>& p) { add(Curve_segment<FT>{p.first, p.second, p.second}); }
 
   /// adds a vertex, a point on an edge, or a point of a face.
@@ -88,8 +90,11 @@ public:
   void add(const Edge_point<FT>& p) { add(face_location(edge_location(p), m_surface.mesh())); }
 
   /// adds all points of a segment.
+  /// \throws Invalid_input if the coordinates of an end are negative or do not sum up to one
   void add(const Curve_segment<FT>& segment)
   {
+    for(const auto& end : {segment.source, segment.target})
+      internal::check_point(Face_location<FT>(segment.face, end), m_surface.mesh());
     m_curve.push_back(segment);
     const auto h = sides(segment.face, m_surface.mesh());
     const Flat_face<FT> face(h[0], m_surface);

@@ -58,32 +58,47 @@ public:
   /// @{
 
   /// adds a vertex as a source and returns the index of this source.
-  std::size_t add_source(Vertex_index v) { return add(v); }
+  /// \throws Invalid_input if the surface has no such vertex
+  std::size_t add_source(Vertex_index v)
+  {
+    internal::check_point(v, mesh());
+    return add(v);
+  }
 
   /// adds a point on an edge as a source and returns the index of this source.
-  std::size_t add_source(const Edge_point<FT>& p) { return add(location(p)); }
+  std::size_t add_source(const Edge_point<FT>& p) { return add_source(location(p)); }
 
   /// adds a point of any kind as a source and returns the index of this source.
   /// \pre `p` is not an isolated vertex
-  std::size_t add_source(const Surface_point<FT>& p) { return add(location(p)); }
+  std::size_t add_source(const Surface_point<FT>& p) { return add_source(location(p)); }
 
   /// adds a point of a face, also on its boundary, as a source and returns the index of this
   /// source.
-  /// \pre the coordinates of `p` are not negative and sum up to one
-  std::size_t add_source(const Face_location<FT>& p) { return add(p); }
+  /// \throws Invalid_input if the coordinates of `p` are negative or do not sum up to one
+  std::size_t add_source(const Face_location<FT>& p)
+  {
+    internal::check_point(p, mesh());
+    return add(p);
+  }
 
   /// adds all points of a segment as one source and returns its index.
-  /// \pre the coordinates of its ends are not negative and sum up to one
+  /// \throws Invalid_input if the coordinates of an end are negative or do not sum up to one
   std::size_t add_source(const Curve_segment<FT>& segment)
   {
-    return add(Surface_curve<FT>{segment});
+    return add_source(Surface_curve<FT>{segment});
   }
 
   /// adds all points of a curve as one source and returns its index. Segments that share an end
   /// need fewer windows if they are added as one curve. Complexity: \f$O(n \log n)\f$ for \f$n\f$
   /// segments.
-  /// \pre the coordinates of all ends are not negative and sum up to one
-  std::size_t add_source(const Surface_curve<FT>& curve) { return add(curve); }
+  /// \throws Invalid_input if the coordinates of an end are negative or do not sum up to one
+  std::size_t add_source(const Surface_curve<FT>& curve)
+  {
+    for(const Curve_segment<FT>& segment : curve)
+      for(const auto& end : {segment.source, segment.target})
+        internal::check_point(Face_location<FT>(segment.face, end), mesh());
+    return add(curve);
+  }
 
   /// computes the data for distances and paths. Complexity: \f$O(k)\f$ for \f$k\f$ windows. At most
   /// \f$O(n^2)\f$ windows lie between saddle vertices on embedded surfaces with \f$n\f$ faces; in

@@ -9,11 +9,13 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -196,6 +198,29 @@ void for_each_location(const Surface_point<FT>& p, const Delta_complex& mesh, co
 }
 
 namespace internal {
+
+// \throws Invalid_input if `mesh` has no vertex `v`
+inline void check_point(Vertex_index v, const Delta_complex& mesh)
+{
+  if(!mesh.has_valid_index(v) || mesh.is_removed(v))
+    throw Invalid_input("there is no vertex " + std::to_string(v.idx()) + " among " +
+                        std::to_string(mesh.number_of_vertices()));
+}
+
+// \throws Invalid_input if `mesh` has no face of `p`, or if the coordinates are not those of a
+//   point of the face
+template <typename FT>
+void check_point(const Face_location<FT>& p, const Delta_complex& mesh)
+{
+  if(!mesh.has_valid_index(p.first) || mesh.is_removed(p.first))
+    throw Invalid_input("there is no face " + std::to_string(p.first.idx()) + " among " +
+                        std::to_string(mesh.number_of_faces()));
+  const auto& [x, y, z] = p.second;
+  const FT beyond = x + y + z - 1, tolerance = coordinates_tolerance<FT>();
+  if(!(x >= 0 && y >= 0 && z >= 0 && beyond <= tolerance && -beyond <= tolerance))
+    throw Invalid_input("barycentric coordinates of a point of face " +
+                        std::to_string(p.first.idx()) + " are negative or their sum is not one");
+}
 
 // Excludes types that are not points, such as named parameters, from overload resolution.
 template <typename Point>

@@ -89,6 +89,7 @@ public:
   /// \param p a point with coordinates that are not negative and sum up to one
   /// \param closeness if the point is closer to an edge of \f$T_1\f$, the vertex lies on that edge
   /// \returns the vertex; the existing vertex if two coordinates are zero
+  /// \throws Invalid_input if `p` is no point of a face
   /// \throws Numerical_error if a new edge has no positive finite length. With exact decisions it
   ///   is also thrown if no near point has coordinates on \f$T_1\f$ that leave its edges straight
   ///   and its faces positive
@@ -97,6 +98,7 @@ public:
   /// After an exception nothing has changed.
   Vertex_index insert(const Face_location<FT>& p, const FT& closeness = FT(0))
   {
+    internal::check_point(p, m_tri.mesh());
     const Surface_point<FT> point = surface_point(p, m_tri.mesh());
     const Halfedge_index h = halfedge_of(point);
     if(is_at_vertex(point))

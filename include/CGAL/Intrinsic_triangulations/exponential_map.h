@@ -52,6 +52,7 @@ public:
 
   Geodesic<FT> from(Vertex_index v, const Vector& vector)
   {
+    check_point(v, m_mesh);
     CGAL_precondition(!m_mesh.is_isolated(v));
     start(first_outgoing_halfedge(v, m_mesh), {FT(1), FT(0), FT(0)}, vector);
     leave_vertex(Angles(m_h, m_surface), wrapped(std::arg(m_start)));
@@ -60,6 +61,7 @@ public:
 
   Geodesic<FT> from(const Face_location<FT>& p, const Vector& vector)
   {
+    check_point(p, m_mesh);
     start(m_mesh.halfedge(p.first), p.second, vector);
     if(const Surface_point<FT> point = surface_point(p, m_mesh); is_at_vertex(point)) {
       turn_frame(side_number(halfedge_of(point), m_mesh));

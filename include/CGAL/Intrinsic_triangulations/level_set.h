@@ -18,6 +18,8 @@
 
 #include <CGAL/number_utils.h>
 
+#include <cstddef>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -119,12 +121,16 @@ private:
 ///          curve ends where it starts.
 ///
 /// Complexity: linear.
-/// \throws Invalid_input if a value or the level is infinite or NaN
+/// \throws Invalid_input if a value or the level is infinite or NaN, or if the number of values is
+///         not the number of vertices
 template <typename Surface, typename Values>
 std::vector<Surface_path<Length_of<Surface>>>
 level_set(const Surface& surface, const Values& values, const Length_of<Surface>& level)
 {
   internal::check_all_finite(values, "the value");
+  if(std::size_t(values.size()) != surface.mesh().num_vertices())
+    throw Invalid_input("there are " + std::to_string(values.size()) + " values for " +
+                        std::to_string(surface.mesh().num_vertices()) + " vertices");
   if(!CGAL::is_finite(level))
     throw Invalid_input("the level is infinite or NaN");
   return internal::Level_set_follower<Surface, Values>(surface, values, level)();

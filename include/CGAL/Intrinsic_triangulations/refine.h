@@ -319,11 +319,11 @@ std::size_t insertion_limit(const Intrinsic_triangulation<Traits>& tri,
 /// \param np
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{minimum_angle}
-///     \cgalParamDescription{the least angle, in degrees; 0 for no bound}
+///     \cgalParamDescription{the least angle, from 0 to 60 degrees; 0 for no bound}
 ///     \cgalParamDefault{25}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_circumradius}
-///     \cgalParamDescription{the greatest circumradius}
+///     \cgalParamDescription{the greatest circumradius, which is positive}
 ///     \cgalParamDefault{infinite}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{simplicial}
@@ -368,7 +368,8 @@ std::size_t insertion_limit(const Intrinsic_triangulation<Traits>& tri,
 /// \returns the numbers of operations, the status, and the faces that violate the bounds, with the
 ///   reason
 /// \throws Flip_limit_exceeded, Numerical_error, Overflow_error as `make_Delaunay()`
-/// \throws Invalid_input if the bound on circumradii needs more insertions than the default
+/// \throws Invalid_input if a bound is out of its range, or if the bound on circumradii needs more
+///   insertions than the default
 ///
 /// After an exception `tri` is a valid triangulation of the same surface without garbage.
 /// \post `tri` is Delaunay and has no garbage; with exact traits, and with lengths of type
@@ -383,6 +384,10 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri,
   const FT degrees(choose_parameter(get_parameter(np, internal_np::minimum_angle), FT(25)));
   const FT circumradius(choose_parameter(get_parameter(np, internal_np::maximum_circumradius),
                                          std::numeric_limits<FT>::infinity()));
+  if(!(degrees >= 0 && degrees <= 60))
+    throw Invalid_input("the least angle is not between 0 and 60 degrees");
+  if(!(circumradius > 0))
+    throw Invalid_input("the greatest circumradius is not positive");
   const bool simplicial = choose_parameter(get_parameter(np, internal_np::simplicial), false);
   const auto predicate =
     choose_parameter(get_parameter(np, internal_np::face_predicate), internal::No_face());

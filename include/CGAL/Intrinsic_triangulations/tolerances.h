@@ -57,6 +57,13 @@ namespace internal {
 // decide about nearly all edges.
 constexpr double certified_length_error() { return 1.0 / (std::int64_t(1) << 40); }
 
+// Returns the allowed difference from one of the sum of barycentric coordinates that a user gives.
+template <typename FT>
+FT coordinates_tolerance()
+{
+  return is_rounded<FT>() ? FT(0x1p-20) : FT(0);
+}
+
 // Returns the possible error of a corner in radians that is nearly flat or nearly zero. Its cosine
 // is rounded, so its error is the square root of the rounding error. For `double` it is 2^-20. The
 // removal of a vertex flips no edge whose diamond exceeds a flat angle by more.

@@ -22,6 +22,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cmath>
+#include <limits>
 #include <set>
 #include <string>
 #include <utility>
@@ -51,6 +52,11 @@ public:
   auto length_map() const { return m_tri.length_map(); }
   // Returns the relative error that decisions assume for a length.
   static FT error() { return rounding_unit<FT>(); }
+  // Returns the relative error of a rounded weight.
+  static FT weight_error()
+  {
+    return is_rounded<FT>() ? FT(std::numeric_limits<FT>::epsilon() / 2) : FT(0);
+  }
   // Returns the least squared area, relative to squared lengths, that determines weights to 9
   // digits. Returns zero if no more precise lengths are available.
   static FT least_squared_area()
@@ -98,6 +104,7 @@ public:
   // Flips keep more digits than this error. Weights that depend on each other converge linearly to
   // this accuracy.
   static FT error() { return FT(std::ldexp(1., -128)); }
+  static FT weight_error() { return error(); }
   static FT least_squared_area() { return FT(0); }
 
   bool is_flippable(Halfedge_index h) const
@@ -201,7 +208,7 @@ public:
       return false;
     const std::vector<FT> before = m_weights;
     triangles.set_weights(m_weights);
-    triangles.check_digits(m_weights, error_of_nine_digits(Lengths::error()));
+    triangles.check_digits(m_weights, error_of_nine_digits(Lengths::weight_error()));
     for(Vertex_index v : m_mesh.vertices())
       if(m_weights[v.idx()] != before[v.idx()])
         forget_edges_around(v);
