@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._arrays import Floats, integers
-from ._meshes import surface, triangles
+from ._meshes import arrays, surface, triangles
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,7 +48,7 @@ def pack_circles(V: Any, F: ArrayLike | None = None) -> CirclePacking:
     Parameters
     ----------
     V : (n, 3) array of floats, or a mesh object, or None
-        Positions, which only need to be valid; None if there are none.
+        Positions, of which only the number counts; None if there are none.
     F : (m, 3) array of integers
         The corners of each face, from 0.
 
@@ -75,5 +75,12 @@ def pack_circles(V: Any, F: ArrayLike | None = None) -> CirclePacking:
         faces = integers(triangles(F), (None, 3), "F", None, "vertices")
         on = surface(None, faces, np.ones(faces.shape))
     else:
-        on = surface(V, F)
+        points, faces = arrays(V, F)
+        on = surface(_any_positions(len(points)), faces)
     return CirclePacking(**_core.pack_circles(on))
+
+
+def _any_positions(n: int) -> Floats:
+    """Return n different points on a circle, such that all lengths of edges are valid."""
+    angle = np.arange(n) * (np.pi * (3 - np.sqrt(5)))
+    return np.column_stack([np.cos(angle), np.sin(angle), np.zeros(n)])

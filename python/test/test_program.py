@@ -377,7 +377,8 @@ class Program(unittest.TestCase):
             assert_array_equal(packing.radii, mesh.vertex["radius"])
             self.assertEqual(packing.is_disk, stats["disk"])
             self.assertEqual(packing.max_tangency_error, stats["max_tangency_error"])
-            assert_array_equal(intrinsic.pack_circles(None, F).centers, packing.centers)
+            for same in (None, 1e-300 * V, 1e200 * V):
+                assert_array_equal(intrinsic.pack_circles(same, F).centers, packing.centers)
 
     def test_soups(self):
         V = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0, -1, 0.2]])
