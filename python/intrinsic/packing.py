@@ -48,7 +48,7 @@ def pack_circles(V: Any, F: ArrayLike | None = None) -> CirclePacking:
     Parameters
     ----------
     V : (n, 3) array of floats, or a mesh object, or None
-        Positions, of which only the number counts; None if there are none.
+        Positions; only their number counts. None if there are none.
     F : (m, 3) array of integers
         The corners of each face, from 0.
 

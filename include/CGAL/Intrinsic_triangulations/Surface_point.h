@@ -207,8 +207,8 @@ inline void check_point(Vertex_index v, const Delta_complex& mesh)
                         std::to_string(mesh.number_of_vertices()));
 }
 
-// \throws Invalid_input if `mesh` has no face of `p`, or if the coordinates are not those of a
-//   point of the face
+// \throws Invalid_input if `mesh` has no face of `p`, or if coordinates are negative or do not sum
+//   up to one
 template <typename FT>
 void check_point(const Face_location<FT>& p, const Delta_complex& mesh)
 {

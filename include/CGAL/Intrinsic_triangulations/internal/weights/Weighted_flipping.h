@@ -30,7 +30,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Returns a part of which `error` is the ninth decimal digit.
+// Returns the number whose ninth decimal digit is about `error`.
 template <typename FT>
 FT error_of_nine_digits(const FT& error)
 {
