@@ -283,6 +283,48 @@ Mesh ellipsoid(std::size_t n, std::size_t m, double h)
   return make_mesh(points, triangles);
 }
 
+// Returns a prism over a regular polygon with n corners on a unit circle, or an antiprism if the
+// corners of its top are turned.
+Mesh prism(std::size_t n, double height, bool is_turned)
+{
+  std::vector<Point> points;
+  for(std::size_t ring = 0; ring < 2; ++ring)
+    for(std::size_t j = 0; j < n; ++j) {
+      const double phi = 2 * pi * (double(j) + (is_turned ? 0.5 * double(ring) : 0.)) / double(n);
+      points.emplace_back(std::cos(phi), std::sin(phi), height * double(ring));
+    }
+  Triangles triangles;
+  for(std::size_t j = 0; j < n; ++j) {
+    const std::size_t k = (j + 1) % n;
+    triangles.push_back({j, k, n + j});
+    triangles.push_back({n + j, k, n + k});
+  }
+  for(std::size_t j = 1; j + 1 < n; ++j) {
+    triangles.push_back({0, j + 1, j});
+    triangles.push_back({n, n + j, n + j + 1});
+  }
+  return make_mesh(points, triangles);
+}
+
+// The radii of a ring can grow together almost without a change of curvatures.
+TEST(Convex_polyhedron, recovers_tall_prisms)
+{
+  for(const std::size_t n : {3, 20, 48, 65})
+    for(const double height : {1e3, 1e4, 5e4})
+      for(const bool is_turned : {false, true}) {
+        const Mesh mesh = prism(n, height, is_turned);
+        const Polyhedron p = IT::convex_polyhedron(mesh);
+        EXPECT_EQ(p.points().size(), 2 * n);
+        EXPECT_TRUE(p.flat_vertices().empty());
+        EXPECT_TRUE(p.certificate().is_convex() ||
+                    p.kind() == IT::Polyhedron_kind::convex_before_rounding);
+        for(const auto e : mesh.edges()) {
+          const Vertex_index v = mesh.vertex(e, 0), w = mesh.vertex(e, 1);
+          EXPECT_NEAR(distance(p, v, w) / distance(mesh.point(v), mesh.point(w)), 1, 1e-9);
+        }
+      }
+}
+
 // The curvatures of most vertices are less than rounding of lengths, but not of positions.
 TEST(Convex_polyhedron, keeps_the_vertices_of_thin_ellipsoids)
 {

@@ -13,7 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/Pyramid_surface.h>
 #include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/Radii.h>
 
-#include <Eigen/SparseLU>
+#include <Eigen/SparseCholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -195,14 +195,15 @@ private:
   // solution. The matrix is indefinite.
   static Vector newton_step(const Apex_curvatures& current, const Radii& radii, const Vector& rest)
   {
-    Vector radius(rest.size());
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<Double_double>, Eigen::Upper> solver;
+    solver.compute(current.derivative);
+    if(solver.info() != Eigen::Success)
+      return Vector::Constant(rest.size(), std::numeric_limits<double>::quiet_NaN());
+    const auto changes = solver.solve(rest.cast<Double_double>()).eval();
+    Vector result(rest.size());
     for(Eigen::Index i = 0; i < rest.size(); ++i)
-      radius[i] = radii.radius(static_cast<std::size_t>(i)).high();
-    Eigen::SparseLU<Eigen::SparseMatrix<double>> solver;
-    solver.compute(current.derivative * radius.asDiagonal());
-    return solver.info() == Eigen::Success
-             ? Vector(solver.solve(rest))
-             : Vector::Constant(rest.size(), std::numeric_limits<double>::quiet_NaN());
+      result[i] = (changes[i] / radii.radius(static_cast<std::size_t>(i))).high();
+    return result;
   }
 
   Metric_surface m_surface;

@@ -62,19 +62,18 @@ public:
 
   // Returns by how much the curvature at the source of side s grows with the radius of its target,
   // as a contribution of this pyramid.
-  double derivative(std::size_t s) const
+  Number derivative(std::size_t s) const
   {
-    return (m_foot_height[s] / m_height * m_radius[s] * m_radius[(s + 1) % 3] /
-            (m_side[s] * squared_distance_from_side(s)))
-      .high();
+    return m_foot_height[s] / m_height * m_radius[s] * m_radius[(s + 1) % 3] /
+           (m_side[s] * squared_distance_from_side(s));
   }
 
   // Returns the cosine of the angle at the apex between the ends of side s.
-  double cosine_at_apex(std::size_t s) const
+  Number cosine_at_apex(std::size_t s) const
   {
     const Number a = m_radius[s], b = m_radius[(s + 1) % 3],
                  difference = (m_weight[s] - m_weight[(s + 1) % 3]) / (a + b);
-    return (1 - (m_side[s] - difference) * (m_side[s] + difference) / (2 * a * b)).high();
+    return 1 - (m_side[s] - difference) * (m_side[s] + difference) / (2 * a * b);
   }
 
 private:

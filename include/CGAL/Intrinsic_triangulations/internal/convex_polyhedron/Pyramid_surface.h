@@ -21,9 +21,15 @@
 
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
+
+template <>
+struct Eigen::NumTraits<CGAL::Intrinsic_triangulations::Double_double>
+  : public Eigen::GenericNumTraits<CGAL::Intrinsic_triangulations::Double_double>
+{};
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -32,9 +38,11 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // of the surface by the curvature of the surface minus the curvature at the apex.
 struct Apex_curvatures
 {
-  bool exist = true;                      // whether all pyramids do
-  Eigen::VectorXd curvature, excess;      // each with small relative errors
-  Eigen::SparseMatrix<double> derivative; // by the radii, row by row
+  bool exist = true;                 // whether all pyramids do
+  Eigen::VectorXd curvature, excess; // each with small relative errors
+  // The derivative by the radii is symmetric; its upper triangle is stored. Around short edges far
+  // from the apex, sums of rows are tiny differences of entries.
+  Eigen::SparseMatrix<Double_double> derivative;
 };
 
 // Decides whether the angles between bases of pyramids are at most pi.
@@ -109,7 +117,7 @@ inline Apex_curvatures apex_curvatures(const Metric_surface& surface, const Radi
   const auto n = static_cast<Eigen::Index>(mesh.number_of_vertices());
   const auto index = [](Vertex_index v) { return static_cast<int>(v.idx()); };
   std::vector<Angle_sum> angles(mesh.number_of_vertices()), excess(mesh.number_of_vertices());
-  std::vector<Eigen::Triplet<double>> entries;
+  std::vector<Eigen::Triplet<Double_double>> entries;
   for(Face_index f : mesh.faces()) {
     const Pyramid p = pyramid(f, surface, radii);
     if(!p.exists())
@@ -118,11 +126,10 @@ inline Apex_curvatures apex_curvatures(const Metric_surface& surface, const Radi
       const Halfedge_index h = sides(f, mesh)[s];
       const int i = index(mesh.source(h)), j = index(mesh.target(h));
       p.add_lateral_angle(s, angles[mesh.source(h).idx()], excess[mesh.source(h).idx()]);
-      const double w = p.derivative(s), cosine = p.cosine_at_apex(s);
-      entries.emplace_back(i, j, w);
-      entries.emplace_back(j, i, w);
-      entries.emplace_back(i, i, -cosine * w);
-      entries.emplace_back(j, j, -cosine * w);
+      const Double_double w = p.derivative(s), of_end = -p.cosine_at_apex(s) * w;
+      entries.emplace_back((std::min)(i, j), (std::max)(i, j), i == j ? w + w : w);
+      entries.emplace_back(i, i, of_end);
+      entries.emplace_back(j, j, of_end);
     }
   }
   Apex_curvatures result{true, Eigen::VectorXd(n), Eigen::VectorXd(n), {}};
