@@ -309,8 +309,8 @@ Mesh prism(std::size_t n, double height, bool is_turned)
 // The radii of a ring can grow together almost without a change of curvatures.
 TEST(Convex_polyhedron, recovers_tall_prisms)
 {
-  for(const std::size_t n : {3, 20, 48, 65})
-    for(const double height : {1e3, 1e4, 5e4})
+  for(const std::size_t n : {3, 20, 48})
+    for(const double height : {1e3, 5e4, 3e5})
       for(const bool is_turned : {false, true}) {
         const Mesh mesh = prism(n, height, is_turned);
         const Polyhedron p = IT::convex_polyhedron(mesh);

@@ -29,17 +29,14 @@ public:
     m_sum += std::atan2(s.high(), c.high());
   }
 
-  double value() const
+  // Returns the sum minus a number of turns and an angle, whose rounded sine and cosine represent
+  // it. A small difference has a small relative error.
+  double minus(int turns, double angle) const
   {
-    const double turn = 2 * pi<double>(), rest = std::atan2(m_y.high(), m_x.high());
-    return rest + turn * std::round((m_sum - rest) / turn);
-  }
-
-  // Returns a full turn minus the sum.
-  double rest_of_turn() const
-  {
-    const double turn = 2 * pi<double>(), rest = std::atan2(-m_y.high(), m_x.high());
-    return rest + turn * std::round((turn - m_sum - rest) / turn);
+    const double turn = 2 * pi<double>();
+    const Double_double c = std::cos(angle), s = std::sin(angle);
+    const double rest = std::atan2((m_y * c - m_x * s).high(), (m_x * c + m_y * s).high());
+    return rest + turn * std::round((m_sum - angle - rest) / turn - turns);
   }
 
 private:

@@ -80,20 +80,22 @@ private:
     if(!make_convex(m_surface, Radii(n, 1), flip_limit()))
       throw Numerical_error("rounding prevents a Delaunay triangulation");
     const double circumradius = greatest_circumradius();
-    Apex_curvatures first{false, {}, {}, {}};
-    const auto is_start = [&] {
-      return first.exist && (first.curvature.array() / m_metric_curvature.array()).minCoeff() > 0.5;
+    const auto least_part = [&](const Vector& x) {
+      return (x.array() / m_metric_curvature.array()).minCoeff();
     };
-    for(double factor = 2; factor < greatest_start && !is_start(); factor *= 2) {
+    bool is_start = false;
+    for(double factor = 2; factor < greatest_start && !is_start; factor *= 2) {
       m_radii = Radii(n, factor * circumradius);
-      first = apex_curvatures(m_surface, m_radii);
+      const Apex_curvatures first = apex_curvatures(m_surface, m_radii);
+      if(!first.exist)
+        continue;
+      m_first_curvature = first.curvature_minus(Vector::Zero(m_metric_curvature.size()));
+      m_first_excess = first.excess_minus(Vector::Zero(m_metric_curvature.size()));
+      is_start = least_part(m_first_curvature) > 0.5;
     }
-    if(!is_start())
+    if(!is_start)
       throw Numerical_error("the vertices have no distances from an apex far away");
-    m_first_curvature = first.curvature;
-    m_first_excess = first.excess;
-    m_rest_at_start =
-      (std::max)(least_rest, (first.excess.array() / m_metric_curvature.array()).minCoeff());
+    m_rest_at_start = (std::max)(least_rest, least_part(m_first_excess));
     m_place = -std::log(m_rest_at_start);
     m_history = {{m_place, m_radii}};
   }
@@ -161,8 +163,8 @@ private:
       ++m_newton_steps;
       if(!current.exist)
         return false;
-      const Vector rest = fraction.t > 0.5 ? Vector(current.excess - target_excess)
-                                           : Vector(target - current.curvature);
+      const Vector rest = fraction.t > 0.5 ? current.excess_minus(target_excess)
+                                           : Vector(-current.curvature_minus(target));
       const double error = (rest.array().abs() / range.array()).maxCoeff();
       const bool is_best = !(error < before) && step > 2; // rounding prevents progress
       if(error < (is_best && fraction.t < late ? greatest_curvature_error : curvature_error))

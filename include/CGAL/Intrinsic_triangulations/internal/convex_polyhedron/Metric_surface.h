@@ -120,7 +120,7 @@ public:
     }
     std::vector<double> result;
     for(const Angle_sum& angle : angles)
-      result.push_back(angle.rest_of_turn());
+      result.push_back(-angle.minus(1, 0));
     return result;
   }
 

@@ -38,8 +38,28 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // of the surface by the curvature of the surface minus the curvature at the apex.
 struct Apex_curvatures
 {
-  bool exist = true;                 // whether all pyramids do
-  Eigen::VectorXd curvature, excess; // each with small relative errors
+  typedef Eigen::VectorXd Vector;
+
+  // Returns the curvatures minus these values.
+  Vector curvature_minus(const Vector& value) const
+  {
+    Vector result(value.size());
+    for(Eigen::Index i = 0; i < value.size(); ++i)
+      result[i] = -angle[static_cast<std::size_t>(i)].minus(1, -value[i]);
+    return result;
+  }
+
+  // Returns the curvatures of the surface minus the curvatures and these values.
+  Vector excess_minus(const Vector& value) const
+  {
+    Vector result(value.size());
+    for(Eigen::Index i = 0; i < value.size(); ++i)
+      result[i] = excess[static_cast<std::size_t>(i)].minus(0, value[i]);
+    return result;
+  }
+
+  bool exist = true; // whether all pyramids do
+  std::vector<Angle_sum> angle, excess;
   // The derivative by the radii is symmetric; its upper triangle is stored. Around short edges far
   // from the apex, sums of rows are tiny differences of entries.
   Eigen::SparseMatrix<Double_double> derivative;
@@ -116,26 +136,26 @@ inline Apex_curvatures apex_curvatures(const Metric_surface& surface, const Radi
   const Delta_complex& mesh = surface.mesh();
   const auto n = static_cast<Eigen::Index>(mesh.number_of_vertices());
   const auto index = [](Vertex_index v) { return static_cast<int>(v.idx()); };
-  std::vector<Angle_sum> angles(mesh.number_of_vertices()), excess(mesh.number_of_vertices());
+  Apex_curvatures result;
+  result.angle.resize(mesh.number_of_vertices());
+  result.excess.resize(mesh.number_of_vertices());
   std::vector<Eigen::Triplet<Double_double>> entries;
   for(Face_index f : mesh.faces()) {
     const Pyramid p = pyramid(f, surface, radii);
-    if(!p.exists())
-      return {false, {}, {}, {}};
+    if(!p.exists()) {
+      result.exist = false;
+      return result;
+    }
     for(std::size_t s = 0; s < 3; ++s) {
       const Halfedge_index h = sides(f, mesh)[s];
       const int i = index(mesh.source(h)), j = index(mesh.target(h));
-      p.add_lateral_angle(s, angles[mesh.source(h).idx()], excess[mesh.source(h).idx()]);
+      p.add_lateral_angle(s, result.angle[mesh.source(h).idx()],
+                          result.excess[mesh.source(h).idx()]);
       const Double_double w = p.derivative(s), of_end = -p.cosine_at_apex(s) * w;
       entries.emplace_back((std::min)(i, j), (std::max)(i, j), i == j ? w + w : w);
       entries.emplace_back(i, i, of_end);
       entries.emplace_back(j, j, of_end);
     }
-  }
-  Apex_curvatures result{true, Eigen::VectorXd(n), Eigen::VectorXd(n), {}};
-  for(Vertex_index v : mesh.vertices()) {
-    result.curvature[index(v)] = angles[v.idx()].rest_of_turn();
-    result.excess[index(v)] = excess[v.idx()].value();
   }
   result.derivative.resize(n, n);
   result.derivative.setFromTriplets(entries.begin(), entries.end());
