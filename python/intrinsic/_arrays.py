@@ -220,11 +220,12 @@ def complexes(values: Any, shape: tuple[int | None, ...], name: str) -> Complexe
 
 
 def points_on(
-    points: tuple[Any, ...], number_of_faces: int, name: str
+    points: Any, number_of_faces: int, name: str, barycentric: Any = None
 ) -> tuple[Integers, Floats]:
-    """Return faces (k,) and barycentric coordinates (k, 3) of points; one point may be (3,)."""
+    """Return faces (k,) and barycentric coordinates (k, 3) of points; one point may be (3,).
+    `points` is the pair of both, or the faces if `barycentric` is given."""
     try:
-        faces, coordinates = points
+        faces, coordinates = points if barycentric is None else (points, barycentric)
     except (TypeError, ValueError):
         raise ArrayError(f"{name} must be a pair of faces and barycentric coordinates") from None
     rows = integers(np.atleast_1d(array_of(faces, name)), (None,), f"the faces of {name}",

@@ -137,8 +137,7 @@ class ConformalMap:
     def __call__(self, faces: Any, barycentric: ArrayLike | None = None) -> Floats:
         """Return the images (k, 2) or (k, 3) of points. Points are faces (k,) and barycentric
         coordinates (k, 3), in the order of the corners of each face, or the pair of both arrays."""
-        points = faces if barycentric is None else (faces, barycentric)
-        given = points_on(points, self._surface.number_of_faces(), "points")
+        given = points_on(faces, self._surface.number_of_faces(), "points", barycentric)
         images: Floats = self._core.images(*given)
         return images
 

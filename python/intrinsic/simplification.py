@@ -137,15 +137,16 @@ class Simplification:
         input."""
         return [sparse(arrays) for arrays in self._core.prolongations()]
 
-    def to_coarse(self, points: tuple[ArrayLike, ArrayLike]) -> SurfacePoints:
-        """Map points of the input, faces and barycentric coordinates, to the coarse surface."""
-        given = points_on(points, self._surface.number_of_faces(), "points")
+    def to_coarse(self, points: Any, barycentric: ArrayLike | None = None) -> SurfacePoints:
+        """Map points of the input to the coarse surface. Points are faces (k,) and barycentric
+        coordinates (k, 3), or the pair of both arrays."""
+        given = points_on(points, self._surface.number_of_faces(), "points", barycentric)
         return self._core.mapped(True, *given)
 
-    def to_fine(self, points: tuple[ArrayLike, ArrayLike]) -> SurfacePoints:
-        """Map points of the coarse surface to the input. The face is -1 for a point in a disk that
-        closes a loop."""
-        return self._core.mapped(False, *points_on(points, len(self.F), "points"))
+    def to_fine(self, points: Any, barycentric: ArrayLike | None = None) -> SurfacePoints:
+        """Map points of the coarse surface to the input, given in the same way. The face is -1 for
+        a point in a disk that closes a loop."""
+        return self._core.mapped(False, *points_on(points, len(self.F), "points", barycentric))
 
     def triangulation(self) -> Triangulation:
         """Return the coarse surface, for other functions: `laplacian(s.triangulation())`.

@@ -35,7 +35,7 @@ class Simplify(unittest.TestCase):
         coarse = intrinsic.simplify(V, F, 80)
         random = np.random.default_rng(4)
         points = random.integers(0, len(F), 100), random.dirichlet([1, 1, 1], 100)
-        back = coarse.to_fine(coarse.to_coarse(points))
+        back = coarse.to_fine(*coarse.to_coarse(*points))
         position = np.einsum("kc,kcx->kx", points[1], V[F[points[0]]])
         again = np.einsum("kc,kcx->kx", back[1], V[F[back[0]]])
         np.testing.assert_allclose(again, position, atol=1e-7)
