@@ -256,7 +256,8 @@ private:
     return m_is_wide = true;
   }
 
-  // Returns whether the minimum is reached, and false if an evaluation needs endless flips.
+  // Returns whether the minimum is reached, and false if an evaluation needs endless flips. If the
+  // work ends the search shortly before, errors decide.
   template <typename FT>
   bool reaches_minimum(Energy<FT>& energy, Any_visitor& visitor)
   {
@@ -271,7 +272,8 @@ private:
     } catch(const Intrinsic_triangulations::Error&) {
       return false;
     }
-    return m_status == Map_status::success && m_max_curvature_error <= tolerance::promised_angle;
+    return m_status == Map_status::success ? m_max_curvature_error <= tolerance::promised_angle
+                                           : is_within(tolerance::curvature);
   }
 
   template <typename FT>
