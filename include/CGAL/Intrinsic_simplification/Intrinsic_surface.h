@@ -253,7 +253,7 @@ private:
   {
     double corners = 0, sum = 0;
     for_each_outgoing_halfedge(v, m_mesh, [&](Halfedge_index h) {
-      m_direction[h] = {sum, corners}; // before `h`
+      m_direction[h] = {sum, corners}; // the sums before `h`, in the place of its direction
       corners += m_mesh.is_border(h) ? 0 : 1;
       sum += m_mesh.is_border(h) ? 0 : corner_angle(h);
     });

@@ -93,8 +93,7 @@ public:
   /// \throws Invalid_input if the coordinates of an end are negative or do not sum up to one
   void add(const Curve_segment<FT>& segment)
   {
-    for(const auto& end : {segment.source, segment.target})
-      internal::check_point(Face_location<FT>(segment.face, end), m_surface.mesh());
+    internal::check_ends(segment, m_surface.mesh());
     m_curve.push_back(segment);
     const auto h = sides(segment.face, m_surface.mesh());
     const Flat_face<FT> face(h[0], m_surface);

@@ -95,8 +95,7 @@ public:
   std::size_t add_source(const Surface_curve<FT>& curve)
   {
     for(const Curve_segment<FT>& segment : curve)
-      for(const auto& end : {segment.source, segment.target})
-        internal::check_point(Face_location<FT>(segment.face, end), mesh());
+      internal::check_ends(segment, mesh());
     return add(curve);
   }
 

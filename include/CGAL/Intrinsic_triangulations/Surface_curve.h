@@ -38,6 +38,18 @@ struct Curve_segment
 template <typename FT>
 using Surface_curve = std::vector<Curve_segment<FT>>;
 
+namespace internal {
+
+// \throws Invalid_input if an end of `segment` is no point of a face of `mesh`
+template <typename FT>
+void check_ends(const Curve_segment<FT>& segment, const Delta_complex& mesh)
+{
+  check_point(Face_location<FT>(segment.face, segment.source), mesh);
+  check_point(Face_location<FT>(segment.face, segment.target), mesh);
+}
+
+} // namespace internal
+
 /// \ingroup PkgIntrinsicTriangulationsPaths
 /// returns a curve with its coordinates converted to numbers of type `To`.
 template <typename To, typename FT>

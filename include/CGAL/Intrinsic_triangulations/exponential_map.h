@@ -362,7 +362,7 @@ private:
 ///   of it.
 ///
 /// Complexity: linear in the faces passed, and the degrees of vertices hit.
-/// \throws Invalid_input if the vector is infinite or NaN
+/// \throws Invalid_input if the vector is infinite or NaN, or if the surface has no such point
 /// \throws Numerical_error if the angles at a vertex that it passes have no positive finite sum,
 ///   or the length is so great that steps vanish beside it
 template <typename Surface, typename Source, typename OutputIterator = CGAL::Emptyset_iterator>

@@ -257,7 +257,7 @@ private:
   }
 
   // Returns whether the minimum is reached, and false if an evaluation needs endless flips. If the
-  // work ends the search shortly before, errors decide.
+  // search ends shortly before, errors decide.
   template <typename FT>
   bool reaches_minimum(Energy<FT>& energy, Any_visitor& visitor)
   {

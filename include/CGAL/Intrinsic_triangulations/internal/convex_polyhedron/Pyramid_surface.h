@@ -41,28 +41,24 @@ struct Apex_curvatures
   typedef Eigen::VectorXd Vector;
 
   // Returns the curvatures minus these values.
-  Vector curvature_minus(const Vector& value) const
-  {
-    Vector result(value.size());
-    for(Eigen::Index i = 0; i < value.size(); ++i)
-      result[i] = -angle[static_cast<std::size_t>(i)].minus(1, -value[i]);
-    return result;
-  }
-
+  Vector curvature_minus(const Vector& value) const { return -differences(angle, 1, -value); }
   // Returns the curvatures of the surface minus the curvatures and these values.
-  Vector excess_minus(const Vector& value) const
-  {
-    Vector result(value.size());
-    for(Eigen::Index i = 0; i < value.size(); ++i)
-      result[i] = excess[static_cast<std::size_t>(i)].minus(0, value[i]);
-    return result;
-  }
+  Vector excess_minus(const Vector& value) const { return differences(excess, 0, value); }
 
   bool exist = true; // whether all pyramids do
   std::vector<Angle_sum> angle, excess;
   // The derivative by the radii is symmetric; its upper triangle is stored. Around short edges far
   // from the apex, sums of rows are tiny differences of entries.
   Eigen::SparseMatrix<Double_double> derivative;
+
+private:
+  static Vector differences(const std::vector<Angle_sum>& sums, int turns, const Vector& angles)
+  {
+    Vector result(angles.size());
+    for(Eigen::Index i = 0; i < angles.size(); ++i)
+      result[i] = sums[static_cast<std::size_t>(i)].minus(turns, angles[i]);
+    return result;
+  }
 };
 
 // Decides whether the angles between bases of pyramids are at most pi.
