@@ -130,6 +130,24 @@ void expect_rectangle(const Flat_boundary& boundary, const std::vector<Vertex_in
   EXPECT_NEAR(area(boundary.points), a * b, 1e-9 * a * b);
 }
 
+// Checks that all points between two corners are on the line through the corners. Points may
+// coincide.
+void expect_straight_sides(const Flat_boundary& boundary, const std::vector<Vertex_index>& corners)
+{
+  const std::size_t n = boundary.points.size();
+  std::vector<std::size_t> at;
+  for(std::size_t i = 0; i < n; ++i)
+    if(std::count(corners.begin(), corners.end(), boundary.vertices[i]) > 0)
+      at.push_back(i);
+  ASSERT_EQ(at.size(), 4u);
+  for(std::size_t side = 0; side < 4; ++side) {
+    const Complex start = boundary.points[at[side]],
+                  line = boundary.points[at[(side + 1) % 4]] - start;
+    for(std::size_t i = at[side]; i != at[(side + 1) % 4]; i = (i + 1) % n)
+      EXPECT_NEAR(((boundary.points[i] - start) / line).imag(), 0, 1e-8) << side << ' ' << i;
+  }
+}
+
 // Returns the center of the circle through three points.
 Complex circumcenter(const Complex& a, const Complex& b, const Complex& c)
 {
@@ -253,6 +271,36 @@ TEST(Flatten_to_rectangle, has_right_angles_and_straight_sides)
       ASSERT_EQ(boundaries.size(), 1u);
       expect_rectangle(boundaries[0], corners);
     }
+  }
+}
+
+// Returns a flat polygon of this height. It has spikes, and a vertex inside from which all of it is
+// seen.
+Mesh thin_star(double height, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  const int n = random.get_int(8, 40);
+  std::vector<Point> points;
+  Triangles faces;
+  for(int i = 0; i < n; ++i) {
+    const Complex z =
+      std::polar(random.get_double(0.1, 1), 2 * pi * (i + 0.8 * random.get_double()) / n);
+    points.emplace_back(z.real(), height * z.imag(), 0);
+    faces.push_back({std::size_t(i), std::size_t((i + 1) % n), std::size_t(n)});
+  }
+  points.emplace_back(0, 0, 0);
+  return make_mesh(points, faces);
+}
+
+// Edges of T_3 cross the sides much closer to one of their ends than rounding of positions in T_2.
+TEST(Flatten_to_rectangle, has_straight_sides_beside_spikes)
+{
+  for(unsigned int seed = 1; seed <= 40; ++seed) {
+    const Mesh mesh = thin_star(std::pow(10, -2 - int(seed % 3)), seed);
+    const std::vector<Vertex_index> corners = DCM::rectangle_corners(mesh);
+    const Planar_conformal_map map = DCM::flatten_to_rectangle(mesh, corners);
+    EXPECT_EQ(map.status(), DCM::Map_status::success) << seed;
+    expect_straight_sides(flat_boundaries(map).front(), corners);
   }
 }
 

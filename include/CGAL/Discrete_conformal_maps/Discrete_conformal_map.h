@@ -88,14 +88,26 @@ struct Map_data
                                                    : edge.length();
   }
 
+  // Returns the length of an edge of T_3 without scale factors.
+  double length(Halfedge_index h) const
+  {
+    return bc.traits().has_radii() ? decorated_length(h).length() : bc.length(bc.mesh().edge(h));
+  }
+
+  // Returns the decorated length of an edge of T_3 without scale factors.
+  // \pre vertices have circles
+  Intrinsic_triangulations::Decorated_length<double> decorated_length(Halfedge_index h) const
+  {
+    return Intrinsic_triangulations::internal::decorated_lengths(bc.traits(), bc.length_map(),
+                                                                 bc.mesh())(h);
+  }
+
   // Returns the scaled decorated length of an edge.
   // \pre vertices have circles
   template <typename FT = double>
   Intrinsic_triangulations::Decorated_length<FT> scaled_decorated_length(Halfedge_index h) const
   {
-    const auto edge = Intrinsic_triangulations::internal::decorated_lengths(
-      bc.traits(), bc.length_map(), bc.mesh())(h);
-    return scaled(Intrinsic_triangulations::internal::with_numbers<FT>(edge),
+    return scaled(Intrinsic_triangulations::internal::with_numbers<FT>(decorated_length(h)),
                   FT(log_scale[bc.mesh().source(h).idx()]),
                   FT(log_scale[bc.mesh().target(h).idx()]));
   }

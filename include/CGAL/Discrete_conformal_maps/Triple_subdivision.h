@@ -152,6 +152,24 @@ public:
              : this->corner_weights(layer, face_location(place(layer, v), this->mesh(layer)));
   }
 
+  /// \cond SKIP_IN_MANUAL
+  // Divides the weight of a crossing among the source and the target of `on_C`, in proportion to
+  // `part`.
+  void divide_weight(Vertex_index crossing, Halfedge_index on_C, const std::array<FT, 2>& part)
+  {
+    for(Halfedge_index h : CGAL::halfedges_around_target(crossing, this->mesh())) {
+      const Halfedge_index before = this->parent_halfedge(Layer::C, h);
+      const Halfedge_index along =
+        before.is_valid() ? before : this->parent_halfedge(Layer::C, this->mesh().next(h));
+      std::array<FT, 3>& on_face = m_on_C[h.idx()];
+      const FT factor = (on_face[0] + on_face[1] + on_face[2]) / (part[0] + part[1]);
+      const Intrinsic_triangulations::Edge_location<FT> p{on_C,
+                                                          {factor * part[0], factor * part[1]}};
+      on_face = face_location(along == on_C ? p : reversed(p), this->mesh(Layer::C)).second;
+    }
+  }
+  /// \endcond
+
 private:
   static void check_number_of_edges(std::uint64_t number)
   {

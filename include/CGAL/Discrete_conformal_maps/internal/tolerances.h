@@ -159,7 +159,7 @@ constexpr std::size_t steps_with_more_digits = 300;
 // flat start of a sphere, get the work divided by the fifth number. If this is not enough, the
 // start is far away, and the search restarts without it.
 constexpr double work_for_map = 1.7e7, parts_of_work = 2, sure_measurements = 200,
-                 parts_of_work_for_sphere = 16, parts_of_work_from_start = 8;
+                 parts_of_work_for_sphere = 4, parts_of_work_from_start = 8;
 // A minimization that has not converged after this number of steps ends.
 constexpr std::size_t steps_to_lose_the_way = 250;
 // A search with bounded differences ends after this number of steps.

@@ -18,6 +18,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Wide_number.h>
+#include <CGAL/Discrete_conformal_maps/internal/subdivision/Axis_crossings.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/certify_ideal_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
@@ -216,6 +217,9 @@ public:
     m_data.subdivision = std::make_unique<Discrete_conformal_map::Subdivision>(
       *m_data.correspondence_ab, *m_data.correspondence_bc, concurrency(),
       m_data.number_of_original_faces);
+    if(!m_problem.has_no_copies())
+      Axis_crossings(*m_data.subdivision, m_data.number_of_original_faces, m_data.input_vertex)
+        .set_coordinates([&](Halfedge_index h) { return m_data.length(h); });
     m_data.is_partly_original.assign(mesh().num_faces(), 0);
     for(Face_index f : m_data.subdivision->mesh().faces())
       if(m_data.is_original(m_data.subdivision->parent_face(Layer::A, f)))
