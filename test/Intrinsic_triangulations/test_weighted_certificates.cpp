@@ -213,7 +213,8 @@ TEST(Weighted_certificate, confirms_data_meshes)
   for_each_data_mesh(60000, [&](const Mesh& mesh) {
     const std::vector<double> weights = local_weights(mesh, 1, random);
     Triangulation t(mesh);
-    const auto result = IT::make_weighted_Delaunay(t, map_of(weights));
+    const auto result =
+      IT::make_weighted_Delaunay(t, map_of(weights), IT::parameters::exact_decisions(true));
     EXPECT_TRUE(IT::certify_weighted_Delaunay(t, map_of(weights), result.hidden_vertices)
                   .is_weighted_Delaunay());
   });

@@ -294,4 +294,67 @@ TEST(Weighted_Delaunay, of_data_meshes_is_exact_for_circles)
   EXPECT_GT(meshes, 30u);
 }
 
+// ---- Hidden vertices on lines ----
+
+// Returns the length of an edge of a regular polygon in the unit circle.
+double side_of_polygon(std::size_t n) { return 2 * std::sin(pi / double(n)); }
+
+// Returns a cylinder of height 2 whose faces are halves of rectangles.
+Mesh regular_cylinder(std::size_t rings, std::size_t n)
+{
+  std::vector<Point> points;
+  Triangles faces;
+  for(std::size_t i = 0; i <= rings; ++i)
+    for(std::size_t j = 0; j < n; ++j) {
+      const double angle = 2 * pi * double(j) / double(n);
+      points.emplace_back(std::cos(angle), std::sin(angle), 2 * double(i) / double(rings));
+      if(i < rings) {
+        const std::size_t below = i * n + j, next = i * n + (j + 1) % n;
+        faces.push_back({below, next, next + n});
+        faces.push_back({below, next + n, below + n});
+      }
+    }
+  return make_mesh(points, faces);
+}
+
+double least_relative_area(const Triangulation& t)
+{
+  double result = 1;
+  for(Face_index f : t.mesh().faces()) {
+    const auto [a, b, c] = IT::internal::side_lengths(t.mesh().halfedge(f), t);
+    result = (std::min)(result, IT::quadrupled_area(a, b, c) / (a * a + b * b + c * c));
+  }
+  return result;
+}
+
+double area_of(const Triangulation& t)
+{
+  double result = 0;
+  for(Face_index f : t.mesh().faces()) {
+    const auto [a, b, c] = IT::internal::side_lengths(t.mesh().halfedge(f), t);
+    result += IT::quadrupled_area(a, b, c) / 4;
+  }
+  return result;
+}
+
+// A great weight hides vertices that are on lines with others, up to rounding.
+TEST(Weighted_Delaunay, leaves_no_face_of_hidden_vertices_without_area)
+{
+  const std::size_t rings = 8, n = 32;
+  const Mesh mesh = regular_cylinder(rings, n);
+  for(const std::size_t heavy : {0u, 3u, 100u, 133u})
+    for(const double weight : {0.5, 2., 5.}) {
+      Triangulation t(mesh);
+      std::vector<double> weights(mesh.number_of_vertices(), 0);
+      weights[heavy] = weight;
+      const auto result = IT::make_weighted_Delaunay(t, map_of(weights));
+      EXPECT_FALSE(result.hidden_vertices.empty());
+      EXPECT_TRUE(IT::is_weighted_Delaunay(t, result.weight_map()));
+      EXPECT_TRUE(t.is_valid());
+      EXPECT_GT(least_relative_area(t), 1e-3);
+      EXPECT_NEAR(area_of(t), 2 * double(n) * side_of_polygon(n), 1e-11);
+      EXPECT_GT(least_dual_edge(t, result.weights), -1e-10);
+    }
+}
+
 } // namespace Test_weighted_surfaces

@@ -79,18 +79,23 @@ Flipping_result flip_with_weights(Intrinsic_triangulation<Traits>& tri,
     tri, [&] { return Flipping(tri, weights); }, limit, rounds_of_flips(), visitor, Concurrency());
 }
 
+// Notes flips, and checks their end.
+inline void note_flips(const Flipping_result& result, std::size_t& flips)
+{
+  flips += result.flips;
+  check_flip_limit(result.end == Flipping_result::End::limit);
+  if(!result.is_Delaunay())
+    throw Numerical_error("rounding of the lengths prevents a weighted Delaunay triangulation");
+}
+
 // Flips and raises the weights of hidden vertices, alternately. Adds the number of flips to
 // `flips`.
 template <typename Flip, typename Raise>
 void hide_vertices(std::size_t& flips, const Flip& flip, const Raise& raise)
 {
-  do {
-    const Flipping_result result = flip();
-    flips += result.flips;
-    check_flip_limit(result.end == Flipping_result::End::limit);
-    if(!result.is_Delaunay())
-      throw Numerical_error("rounding of the lengths prevents a weighted Delaunay triangulation");
-  } while(raise());
+  do
+    note_flips(flip(), flips);
+  while(raise());
 }
 
 // Returns the vertices whose weights have been raised.
@@ -103,6 +108,18 @@ std::vector<Vertex_index> raised_vertices(const Delta_complex& mesh, const std::
     if(raised[v.idx()] > given[v.idx()])
       result.push_back(v);
   return result;
+}
+
+// \throws Numerical_error if a face has almost no area
+template <typename Traits>
+void check_areas(const Intrinsic_triangulation<Traits>& tri)
+{
+  for(Face_index f : tri.mesh().faces()) {
+    const auto [a, b, c] = side_lengths(tri.mesh().halfedge(f), tri);
+    if(!has_area(a, b, c, Stored_lengths<Traits>::error()))
+      throw Numerical_error("rounding of the lengths does not determine the area of face " +
+                            std::to_string(f.idx()));
+  }
 }
 
 // Flips and raises weights by stored lengths.
@@ -119,6 +136,8 @@ void flip_and_hide(Intrinsic_triangulation<Traits>& tri,
     [&] { return flip_with_weights(tri, result.weights, limit - result.flips, visitor); },
     [&] { return Flipping(tri, result.weights).raise_weights(triangles); });
   result.hidden_vertices = raised_vertices(tri.mesh(), given, result.weights);
+  if(has_exact_decisions<Traits>() && !result.hidden_vertices.empty())
+    check_areas(tri); // only hidden vertices need such faces, and ties replace them
 }
 
 // Resets T2 to T1, with its inserted vertices, if edges are bent.
@@ -140,27 +159,34 @@ FT with_all_digits(const Weight& weight)
 }
 
 // Flips and raises weights by many digits of lengths and weights, after flips by stored lengths.
-// Rounded weights of hidden vertices can be equal to the given ones.
+// Rounded weights of hidden vertices can be equal to the given ones. If decisions are to be exact,
+// ties up to rounding of the result stay.
 template <typename Traits, typename WeightMap, typename Visitor>
 void flip_and_hide_precisely(Intrinsic_triangulation<Traits>& tri, const WeightMap& weight,
-                             Weighted_Delaunay_result<double>& result, std::size_t limit,
-                             Visitor& visitor)
+                             Weighted_Delaunay_result<double>& result, bool is_exact,
+                             std::size_t limit, Visitor& visitor)
 {
   typedef Many_digits_lengths<Traits> Lengths;
+  typedef typename Lengths::FT FT;
   result.flips += flip_with_weights(tri, result.weights, limit - result.flips, visitor).flips;
   straighten_edges(tri, visitor);
-  std::vector<typename Lengths::FT> given(result.weights.size(), 0);
+  std::vector<FT> given(result.weights.size(), 0);
   for(Vertex_index v : tri.mesh().vertices())
-    given[v.idx()] = with_all_digits<typename Lengths::FT>(get(weight, v));
+    given[v.idx()] = with_all_digits<FT>(get(weight, v));
   auto precise = given;
   Weighted_flipping<Lengths> flipping(tri, precise);
-  Supporting_triangles<typename Lengths::FT> triangles;
+  Supporting_triangles<FT> triangles;
   hide_vertices(
     result.flips,
     [&] { return flip_to_Delaunay(tri.mesh(), flipping, limit - result.flips, visitor); },
     [&] { return flipping.raise_weights(triangles); });
-  flipping.lengths().store();
   result.hidden_vertices = raised_vertices(tri.mesh(), given, precise);
+  if(!is_exact && !result.hidden_vertices.empty()) {
+    Tie_flipping<Lengths> ties(flipping, tri.mesh(), result.hidden_vertices,
+                               FT(rounding_unit<double>()));
+    note_flips(flip_to_Delaunay(tri.mesh(), ties, limit - result.flips, visitor), result.flips);
+  }
+  flipping.lengths().store();
   for(std::size_t i = 0; i < precise.size(); ++i)
     result.weights[i] = static_cast<double>(precise[i]);
 }
@@ -187,6 +213,10 @@ void flip_and_hide_precisely(Intrinsic_triangulation<Traits>& tri, const WeightM
 /// prevents the result, or if rounding changes the weight of a hidden vertex. The reasons are faces
 /// with little area, and weights that exceed squared lengths by \f$2^{23}\f$. Weights and lengths
 /// of the result are rounded.
+///
+/// Faces of hidden vertices can have almost no area, because hidden vertices can be almost on lines
+/// with others. Edges of such faces that are ties up to rounding are flipped until they are
+/// Delaunay. With `exact_decisions`, they stay.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraits` for Euclidean triangles
 /// \tparam WeightMap a model of `ReadablePropertyMap` with key type `Vertex_index` and a value type
@@ -248,7 +278,7 @@ auto make_weighted_Delaunay(Intrinsic_triangulation<Traits>& tri, const WeightMa
     if(is_exact ||
        !internal::succeeds<Traits>([&] { internal::flip_and_hide(tri, result, limit, visitor); })) {
       result.weights = given;
-      internal::flip_and_hide_precisely(tri, weight, result, limit, visitor);
+      internal::flip_and_hide_precisely(tri, weight, result, is_exact, limit, visitor);
     }
   } else
     internal::flip_and_hide(tri, result, limit, visitor);

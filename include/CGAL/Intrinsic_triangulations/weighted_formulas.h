@@ -31,16 +31,25 @@ struct Diamond_weights
     l;  ///< on its right
 };
 
+namespace internal {
+
+// Returns the corners i, j, k, l of the faces ijk and jil of `h`, which begins at i and ends at j.
+inline std::array<Vertex_index, 4> diamond_corners(Halfedge_index h, const Delta_complex& mesh)
+{
+  return {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h)),
+          mesh.target(mesh.next(opposite(h)))};
+}
+
+} // namespace internal
+
 /// \ingroup PkgIntrinsicTriangulationsWeights
 /// returns the weights at the corners of the two faces of `h`. \pre `h` has two faces
 template <typename WeightMap>
 auto diamond_weights(const WeightMap& weight, Halfedge_index h, const Delta_complex& mesh)
 {
   typedef typename boost::property_traits<WeightMap>::value_type FT;
-  const Halfedge_index o = opposite(h);
-  return Diamond_weights<FT>{get(weight, mesh.source(h)), get(weight, mesh.target(h)),
-                             get(weight, mesh.target(mesh.next(h))),
-                             get(weight, mesh.target(mesh.next(o)))};
+  const auto [i, j, k, l] = internal::diamond_corners(h, mesh);
+  return Diamond_weights<FT>{get(weight, i), get(weight, j), get(weight, k), get(weight, l)};
 }
 
 namespace internal {

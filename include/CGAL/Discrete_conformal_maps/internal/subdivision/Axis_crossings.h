@@ -22,9 +22,9 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // vertex from the axis.
 //
 // Let x' and y' be the mirror images of x and y. An edge from x to x' crosses the axis in its
-// middle. Any other edge is the diagonal from x to y' of a quadrilateral x x' y' y, if no more than
-// four vertices are on a circle. As vectors of the light cone, x - x' and y - y' are orthogonal to
-// the axis, and their lengths are the lengths of these edges. Hence a x + b y' is on the axis if
+// middle. Unless more than four vertices are on a circle, any other edge is a diagonal, from x to
+// y', of a quadrilateral x x' y' y. As vectors of the light cone, x - x' and y - y' are orthogonal
+// to the axis, and their lengths are the lengths of these edges. Hence a x + b y' is on the axis if
 // and only if a : b = l(y y') : l(x x').
 template <typename Subdivision>
 class Axis_crossings
@@ -42,7 +42,7 @@ public:
   {}
 
   // Sets the coordinates. `length(h)` is the length of an edge of T_3 for the decoration that the
-  // coordinates belong to. Complexity: linear
+  // coordinates belong to. Complexity: linear.
   template <typename Length>
   void set_coordinates(const Length& length)
   {
@@ -55,7 +55,8 @@ public:
   }
 
 private:
-  // Stores a vertex on the axis, and the halfedge of T_3 that leads from left to right there.
+  // Stores a vertex on the axis, and the halfedge of T_3 that crosses the axis at it from left to
+  // right.
   struct Crossing
   {
     Vertex_index vertex;

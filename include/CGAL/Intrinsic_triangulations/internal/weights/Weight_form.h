@@ -8,6 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/weighted_formulas.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
@@ -64,13 +65,6 @@ struct Height_form
     of_source = -of_apex - of_target;
   }
 };
-
-// Returns the corners i, j, k, l of the faces ijk and jil of `h`, which begins at i and ends at j.
-inline std::array<Vertex_index, 4> diamond_corners(Halfedge_index h, const Delta_complex& mesh)
-{
-  return {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h)),
-          mesh.target(mesh.next(opposite(h)))};
-}
 
 // Returns a function of the weights around the edge of `h`, with a positive factor. It is the
 // signed length of the dual edge, which is not negative if and only if the edge is weighted

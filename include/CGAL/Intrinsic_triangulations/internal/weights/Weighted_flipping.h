@@ -21,6 +21,7 @@
 #include <boost/property_map/function_property_map.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -35,6 +36,16 @@ template <typename FT>
 FT error_of_nine_digits(const FT& error)
 {
   return FT(std::ldexp(1., 30)) * error;
+}
+
+// Returns whether the union of two faces is convex for all lengths within this relative error.
+template <typename FT>
+bool is_certainly_convex(const Diamond<FT>& d, const FT& error)
+{
+  const FT square = d.ij * d.ij, margin = error * (square + d.jk * d.jk + d.ki * d.ki) *
+                                          (square + d.il * d.il + d.lj * d.lj);
+  return cotangents_at_source(d) > margin &&
+         cotangents_at_source(Diamond<FT>{d.ij, d.il, d.lj, d.jk, d.ki}) > margin;
 }
 
 // Provides the stored lengths of T2.
@@ -109,8 +120,8 @@ public:
 
   bool is_flippable(Halfedge_index h) const
   {
-    return m_flipping.can_be_turned(h) && is_convex_at_source(h) &&
-           is_convex_at_source(opposite(h));
+    return m_flipping.can_be_turned(h) &&
+           is_certainly_convex(diamond(length_map(), h, m_tri.mesh()), error());
   }
 
   bool flip(Halfedge_index h)
@@ -127,17 +138,6 @@ public:
   void store() { m_flipping.recompute_lengths(rounding_unit<double>() / 2); }
 
 private:
-  // Returns whether the angle at the source is less than pi. Faces with an angle of pi are not
-  // convex.
-  bool is_convex_at_source(Halfedge_index h) const
-  {
-    const Diamond<FT> length = diamond(length_map(), h, m_tri.mesh());
-    const FT square = length.ij * length.ij;
-    return cotangents_at_source(length) >
-           FT(std::ldexp(1., -128)) * (square + length.jk * length.jk + length.ki * length.ki) *
-             (square + length.il * length.il + length.lj * length.lj);
-  }
-
   Triangulation& m_tri;
   Exact_flipping<Traits> m_flipping;
   std::vector<FT> m_length;
@@ -162,12 +162,25 @@ public:
   {
     const Halfedge_index h = m_mesh.halfedge(e);
     return m_mesh.is_border(e) || m_is_good_edge[e.idx()] ||
-           m_is_good.is_certain(diamond(m_lengths.length_map(), h, m_mesh), weights(h));
+           m_is_good.is_certain(length(h), weights(h));
   }
 
   bool is_Delaunay(Edge_index e) const
   {
     return satisfies_condition(e) || !m_lengths.is_flippable(m_mesh.halfedge(e));
+  }
+
+  // Returns whether an edge can be flipped, and is Delaunay afterwards, too. Lengths have this
+  // relative error.
+  bool is_tie(Halfedge_index h, const FT& error) const
+  {
+    const Diamond<FT> d = length(h);
+    if(!m_lengths.is_flippable(h) || !is_certainly_convex(d, Lengths::error()))
+      return false;
+    const Diamond_weights<FT> w = weights(h);
+    const FT kl = typename Euclidean_geometry_traits<FT>::Compute_flipped_length()(d);
+    return Is_locally_weighted_Delaunay<FT>{error}(Diamond<FT>{kl, d.lj, d.jk, d.ki, d.il},
+                                                   Diamond_weights<FT>{w.k, w.l, w.j, w.i});
   }
 
   // Flips an edge, and returns whether this was possible. The new edge is Delaunay, up to rounding
@@ -219,6 +232,8 @@ public:
     return true;
   }
 
+  Diamond<FT> length(Halfedge_index h) const { return diamond(m_lengths.length_map(), h, m_mesh); }
+
 private:
   Diamond_weights<FT> weights(Halfedge_index h) const
   {
@@ -232,7 +247,7 @@ private:
     const Halfedge_index h = m_mesh.halfedge(e);
     m_is_good_edge[e.idx()] = m_is_good_edge[e.idx()] || m_mesh.is_border(e) ||
                               m_lengths.triangulation().is_constrained(e) ||
-                              m_is_good(diamond(m_lengths.length_map(), h, m_mesh), weights(h));
+                              m_is_good(length(h), weights(h));
     return m_is_good_edge[e.idx()];
   }
 
@@ -248,7 +263,7 @@ private:
 
   FT cotangents_at_target(Halfedge_index h) const
   {
-    return cotangents_at_source(diamond(m_lengths.length_map(), opposite(h), m_mesh));
+    return cotangents_at_source(length(opposite(h)));
   }
 
   // Returns the triangle that hides the source of `h`, from the other corners of its diamond. The
@@ -256,7 +271,7 @@ private:
   // All corners of the only edge of a vertex lie at its other end.
   Supporting_triangle<FT> supporting_triangle(Halfedge_index h) const
   {
-    const Diamond<FT> length = diamond(m_lengths.length_map(), h, m_mesh);
+    const Diamond<FT> length = this->length(h);
     const Halfedge_index o = opposite(h);
     const Vertex_index target = m_mesh.target(h);
     if(m_mesh.prev(h) == o)
@@ -298,6 +313,67 @@ private:
   mutable std::vector<char> m_is_good_edge; // known to satisfy the condition
   Is_locally_weighted_Delaunay<FT> m_is_good{Lengths::error()};
   bool m_has_failed = false;
+};
+
+// Returns whether the area of a triangle is far above its error, if this is the relative error of
+// its sides.
+template <typename FT>
+bool has_area(const FT& a, const FT& b, const FT& c, const FT& error)
+{
+  const FT squares = a * a + b * b + c * c;
+  return squared_quadrupled_area(a, b, c) > 16 * error * squares * squares;
+}
+
+// Flips ties beside faces with almost no area until they are Delaunay, if one of the corners is
+// hidden. All edges of a hidden vertex are ties.
+template <typename Lengths>
+class Tie_flipping
+{
+  typedef typename Lengths::FT FT;
+
+public:
+  // Lengths have the relative error `error`.
+  Tie_flipping(Weighted_flipping<Lengths>& flipping, const Delta_complex& mesh,
+               const std::vector<Vertex_index>& hidden, const FT& error)
+    : m_flipping(flipping),
+      m_mesh(mesh),
+      m_error(error),
+      m_is_hidden(mesh.num_vertices(), 0),
+      m_is_good{error}
+  {
+    for(Vertex_index v : hidden)
+      m_is_hidden[v.idx()] = 1;
+  }
+
+  bool is_certainly_Delaunay(Edge_index e) const
+  {
+    return m_mesh.is_border(e) || m_is_good.is_certain(m_flipping.length(m_mesh.halfedge(e)));
+  }
+
+  bool is_Delaunay(Edge_index e) const
+  {
+    const Halfedge_index h = m_mesh.halfedge(e);
+    const Diamond<FT> d = m_flipping.length(h);
+    return m_is_good(d) ||
+           (has_area(d.ij, d.jk, d.ki, m_error) && has_area(d.ij, d.il, d.lj, m_error)) ||
+           !has_hidden_corner(h) || !m_flipping.is_tie(h, m_error);
+  }
+
+  bool flip(Halfedge_index h) { return m_flipping.flip(h); }
+
+private:
+  bool has_hidden_corner(Halfedge_index h) const
+  {
+    const auto corners = diamond_corners(h, m_mesh);
+    return std::any_of(corners.begin(), corners.end(),
+                       [&](Vertex_index v) { return m_is_hidden[v.idx()] != 0; });
+  }
+
+  Weighted_flipping<Lengths>& m_flipping;
+  const Delta_complex& m_mesh;
+  FT m_error;
+  std::vector<char> m_is_hidden;
+  typename Euclidean_geometry_traits<FT>::Is_locally_Delaunay m_is_good;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal
