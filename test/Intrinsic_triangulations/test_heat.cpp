@@ -376,6 +376,21 @@ TEST(Heat_distance, unit_of_length)
   }
 }
 
+// All corners of the face opposite to the source have equal heat, up to rounding.
+TEST(Heat_distance, is_symmetric_on_tetrahedra)
+{
+  for(const double scale : {1., 1.7, 0.3, 3., 1e3}) {
+    Mesh mesh = tetrahedron();
+    const double regular[4][3] = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
+    for(std::size_t v = 0; v < 4; ++v)
+      mesh.point(Vertex_index(unsigned(v))) =
+        Point(scale * regular[v][0], scale * regular[v][1], scale * regular[v][2]);
+    const auto distance = IT::heat_distance(Triangulation(mesh), Vertex_index(0));
+    for(Eigen::Index v = 2; v < 4; ++v)
+      EXPECT_NEAR(distance[v], distance[1], 1e-12 * scale);
+  }
+}
+
 TEST(Heat_distance, far_away)
 {
   const Triangulation t(strip(1200)), longer(strip(3000));

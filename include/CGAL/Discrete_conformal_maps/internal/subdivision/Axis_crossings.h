@@ -22,8 +22,8 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // vertex from the axis.
 //
 // Let x' and y' be the mirror images of x and y. An edge from x to x' crosses the axis in its
-// middle. Unless more than four vertices are on a circle, any other edge is a diagonal, from x to
-// y', of a quadrilateral x x' y' y. As vectors of the light cone, x - x' and y - y' are orthogonal
+// middle. If at most four vertices are on a circle, other edges are diagonals, from x to y', of
+// quadrilaterals x x' y' y. As vectors of the light cone, x - x' and y - y' are orthogonal
 // to the axis, and their lengths are the lengths of these edges. Hence a x + b y' is on the axis if
 // and only if a : b = l(y y') : l(x x').
 template <typename Subdivision>

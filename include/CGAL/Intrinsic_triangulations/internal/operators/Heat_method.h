@@ -316,9 +316,10 @@ private:
       weight *= share / 2;
     }
 
-    // Returns the direction of the gradient of the heat, or zero if the gradient is zero. Numbers
-    // are scaled, because heat and its squares use the whole range of `FT`. Precondition: heat is
-    // zero or normal.
+    // Returns the direction of the gradient of the heat, or zero if the corners have equal heat up
+    // to rounding. Sources can be equally far from all corners of a face. Numbers are scaled,
+    // because heat and its squares use the whole range of `FT`. Precondition: heat is zero or
+    // normal.
     std::array<FT, 2> unit_gradient(const Vector& heat) const
     {
       const FT a = heat[corner[0]], b = heat[corner[1]], c = heat[corner[2]];
@@ -326,6 +327,8 @@ private:
       if(!(unit > 0))
         return {FT(0), FT(0)};
       const FT inverse = FT(1) / unit, u = (a - c) * inverse, v = (b - c) * inverse;
+      if((std::max)(CGAL::abs(u), CGAL::abs(v)) <= rounding_unit<FT>())
+        return {FT(0), FT(0)};
       const FT x = u * side[0][0] + v * side[1][0], y = u * side[0][1] + v * side[1][1];
       const FT squared = x * x + y * y;
       if(!(squared > 0))
