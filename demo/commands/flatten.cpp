@@ -65,9 +65,10 @@ fewer cones, and takes more time. --max-area-distortion X is the bound --max-log
 
 With --radii, circles around the vertices are mapped to circles. The map is a decorated conformal
 map, which keeps inversive distances instead of lengths. Circles of neighbors may touch, but not
-meet. .ply and .vtp have the radii in the plane as "radius", zero at other vertices. Radii can also
-be a property of the vertices of the mesh, given by its name. They are lengths on the mesh: "radius"
-of `intrinsic pack` on the sphere is an angle, which --radii does not take.
+meet. --boundary disk is refused with circles: `intrinsic sphere` maps a disk with circles to a
+hemisphere. .ply and .vtp have the radii in the plane as "radius", zero at other vertices. Radii can
+also be a property of the vertices of the mesh, given by its name. They are lengths on the mesh:
+"radius" of `intrinsic pack` on the sphere is an angle, which --radii does not take.
 
 A FILE has lines "index value": a vertex, counted from 0, and an angle in radians, a logarithm or a
 radius. A # begins a comment. Vertices that are not listed have no circle and the curvature zero:

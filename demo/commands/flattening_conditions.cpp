@@ -89,6 +89,9 @@ void check_circles(const Flatten_options& options, bool is_exact)
     throw Program_error("--radii: --exact cannot decide about circles; leave out one of them");
   if(options.solver == "ceres")
     throw Program_error("--radii: --solver ceres has no energy of circles; leave out one of them");
+  if(options.boundary == "disk")
+    throw Program_error("--radii: with --boundary disk, the centers of circles at the boundary do "
+                        "not lie on a circle; use `intrinsic sphere`, or another --boundary");
 }
 
 Conditions flattening_conditions(const Flatten_options& options, const Mesh& mesh)

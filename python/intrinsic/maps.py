@@ -351,7 +351,8 @@ def flatten(
     radii : mapping or (n,) floats
         Radii of circles around the vertices, which are mapped to circles. The map then keeps
         inversive distances instead of lengths. Circles of neighbors may touch, but not meet: they
-        may overlap by 1e-8 of the distance of their centers.
+        may overlap by 1e-8 of the distance of their centers. The boundary "disk" is refused with
+        circles: `to_sphere()` maps a disk with circles to a hemisphere.
     max_log_scale : float
         The bound of absolute logarithmic scale factors, at inner vertices, for greedy and exchanged
         cones; 5 if not given. Disks and rectangles need `cones`, too.
@@ -418,6 +419,9 @@ def flatten(
         log_scale = 5.0
     check_progress(progress)
     on = surface(V, F, lengths, mollify)
+    if boundary == "disk" and radius.any():
+        raise InputError("radii: with the boundary 'disk', the centers of circles at the boundary do "
+                         "not lie on a circle; use to_sphere(), or another boundary")
     kind, values = _conditions(on, cones, boundary, boundary_values)
     prescribed_cones = np.setdiff1d(np.flatnonzero(values), on.border_vertices())
     radius = _one_for_each(on, radii, "radii")

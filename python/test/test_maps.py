@@ -210,6 +210,8 @@ class Flat(unittest.TestCase):
                 intrinsic.flatten(V, F, radii=wrong)
         with self.assertRaises(intrinsic.InputError):
             intrinsic.flatten(V, F, radii=radii, exact=True)
+        with self.assertRaisesRegex(intrinsic.InputError, "use to_sphere"):
+            intrinsic.flatten(V, F, radii=radii, boundary="disk")
 
     def test_failure(self):
         # Without flips there are no such scale factors.

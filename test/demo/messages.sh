@@ -261,7 +261,7 @@ calls <<'TABLE'
 2 | --radii: the mesh had to be repaired, and its vertices differ from the file | flatten repeated.mesh.off --repair -o a.obj --radii inside.txt
 2 | --radii: --exact cannot decide about circles | flatten flat.mesh.off -o a.obj --radii inside.txt --exact
 2 | --radii: --solver ceres has no energy of circles | flatten flat.mesh.off -o a.obj --radii inside.txt --solver ceres
-2 | the centers of circles at the boundary do not lie on a circle | flatten flat.mesh.off -o a.obj --radii inside.txt --boundary disk
+2 | --radii: with --boundary disk, the centers of circles at the boundary do not lie on a circle; use `intrinsic sphere`, or another --boundary | flatten flat.mesh.off -o a.obj --radii inside.txt --boundary disk
 2 | there is no command 'flaten'; did you mean 'flatten'? | flaten flat.mesh.off -o a.obj
 2 | there is no command 'dist'; did you mean 'distance'? | --threads 2 dist flat.mesh.off
 2 | there is no command 'geodesics' | geodesics

@@ -97,7 +97,7 @@ public:
   {
     if(Vertex_circles(parameters.radii).exist())
       throw Intrinsic_triangulations::Invalid_input(
-        "the centers of circles at the boundary do not lie on a circle: use map_to_sphere");
+        "the centers of circles at the boundary do not lie on a circle: use map_to_sphere()");
     const Delta_complex& mesh = surface.mesh();
     for(const Boundary_loop& loop : single_boundary_loops(mesh, 3, "a circle")) {
       m_circles.emplace_back();
