@@ -7,13 +7,13 @@
 #include "Program_error.h"
 #include "commands/triangulation_stages.h"
 #include "page/show_angles.h"
+#include "reading/missed_promises.h"
 #include "reading/vertex_values.h"
 #include "writing/map_distortion.h"
 
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 #include <sstream>
 #include <string>
@@ -55,16 +55,11 @@ std::string failure(Command_run& run, const Conformal_map& map, bool lacks_layou
   const char* reason =
     is_by_search ? DCM::to_string(map.minimization().status) : DCM::to_string(map.status());
   std::ostringstream text;
-  text << DCM::message(map.status()) << " (" << reason << ')';
-  for(const DCM::Map_promise& p : map.promises())
-    if(std::isnan(p.error))
-      text << "; error of " << p.name << ": unknown";
-    else if(!p.is_kept())
-      text << "; error of " << p.name << ": " << p.error << ", at most " << p.bound;
+  text << DCM::message(map.status()) << " (" << reason << ')' << missed_promises(map.promises());
   if(!map.cause().empty())
     text << "; " << map.cause();
   if(lacks_layout)
-    text << "; there is no layout to write";
+    text << "; --keep-going has nothing to write";
   text << "; " << advice(run.statistics()["command"], map.status(), run.options().is_exact);
   return text.str();
 }

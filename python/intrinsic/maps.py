@@ -244,10 +244,7 @@ def _advice(status: str, function: str) -> str:
 def _checked(result: AnyMap, function: str) -> AnyMap:
     if result.status == "success":
         return result
-    missed = [f"{name} {'unknown' if np.isnan(error) else f'{error:g}'} (at most {bound:g})"
-              for name, (error, bound) in result.promises.items() if not error <= bound]
-    text = result._core.message() + "".join(f"; {m}" for m in missed)
-    error = MapError(f"{text}; {_advice(result.status, function)}")
+    error = MapError(f"{result._core.message()}; {_advice(result.status, function)}")
     error.status = result.status
     error.map = result if result._core.is_laid_out() else None
     raise error
@@ -419,12 +416,12 @@ def flatten(
         log_scale = 5.0
     check_progress(progress)
     on = surface(V, F, lengths, mollify)
-    if boundary == "disk" and radius.any():
-        raise InputError("radii: with the boundary 'disk', the centers of circles at the boundary do "
-                         "not lie on a circle; use to_sphere(), or another boundary")
     kind, values = _conditions(on, cones, boundary, boundary_values)
     prescribed_cones = np.setdiff1d(np.flatnonzero(values), on.border_vertices())
     radius = _one_for_each(on, radii, "radii")
+    if boundary == "disk" and radius.any():
+        raise InputError("radii: with the boundary 'disk', the centers of circles at the boundary do "
+                         "not lie on a circle; use to_sphere(), or another boundary")
 
     def compute(slack: float) -> FlatMap:
         core = _core.flatten(on, cones if isinstance(cones, str) else "none", log_scale,

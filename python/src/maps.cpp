@@ -7,6 +7,7 @@
 #include "bindings.h"
 
 #include "reading/map_names.h"
+#include "reading/missed_promises.h"
 
 #include <CGAL/Discrete_conformal_maps/charts.h>
 #include <CGAL/Discrete_conformal_maps/flatten.h>
@@ -273,7 +274,8 @@ py::class_<Bound_map<Map>> bind_map(py::module_& module, const char* name)
     .def("message",
          [](const Bound& self) {
            const std::string cause = self.map.cause();
-           return DCM::message(self.map.status()) + (cause.empty() ? cause : "; " + cause);
+           return DCM::message(self.map.status()) + missed_promises(self.map.promises()) +
+                  (cause.empty() ? cause : "; " + cause);
          })
     .def("is_laid_out", [](const Bound& self) { return self.map.is_laid_out(); })
     .def("promises", [](const Bound& self) { return promises_of(self.map); })

@@ -221,7 +221,8 @@ class Flat(unittest.TestCase):
             intrinsic.flatten(V * [5, 1, 1], F, cones=cones, keep_triangulation=True, mollify=0)
         self.assertEqual(caught.exception.status, "triangle_inequality")
         self.assertIsNone(caught.exception.map)
-        self.assertRegex(str(caught.exception), "; leave out keep_triangulation=True")
+        self.assertRegex(str(caught.exception), "; nothing is laid out; errors that cannot be "
+                         "measured: curvature, exterior_angle; leave out keep_triangulation=True")
         self.assertEqual(intrinsic.flatten(V * [5, 1, 1], F, cones=cones).status, "success")
 
     def test_advice_names_parameters_and_functions_of_this_package(self):
