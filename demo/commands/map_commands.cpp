@@ -126,7 +126,8 @@ void describe_crowding(Command_run& run, Statistics& statistics, const Conformal
   if(crowded.empty() || run.options().is_quiet)
     return;
   run.progress().clear();
-  std::cerr << run.options().input << ": note: face too small for the picture: " << crowded.size()
+  std::cerr << run.options().input
+            << ": note: faces too small for coordinates in double: " << crowded.size()
             << ", first at face " << crowded.front() << '\n';
 }
 

@@ -109,8 +109,8 @@ void describe_minimization(Statistics& statistics, const Conformal_map& map,
 // Adds the status, the errors of the promises and the greatest error of curvatures.
 void describe_status(Statistics& statistics, const Conformal_map& map);
 
-// Adds the faces of the input that are too small for the picture, and prints a note. `component` is
-// null if the map belongs to the whole input.
+// Adds the faces of the input that are too small for coordinates in double, and prints a note.
+// `component` is null if the map belongs to the whole input.
 void describe_crowding(Command_run& run, Statistics& statistics, const Conformal_map& map,
                        const Component_mesh* component = nullptr);
 

@@ -264,7 +264,7 @@ is_conformal a.json
 rm a.*
 tube 60 tube
 expect 0 flatten tube.mesh.off -o a.obj --cones none --stats a.json
-says 'note: face too small for the picture: '
+says 'note: faces too small for coordinates in double: '
 claim "s = json('a.json')" "s.status == 'success'" 'len(s.crowded_faces) > 0'
 rm a.obj a.json
 

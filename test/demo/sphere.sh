@@ -103,10 +103,10 @@ for mesh in rectangle kite; do
   is_convex strip.json
   claim "json('strip.json').lost_in_output == 0" "flat_area(obj('strip.obj')) > 0"
 done
-# a strip with ends that are too small for the picture
+# a strip with ends that are too small for coordinates in double
 strip strip 400
 expect 0 sphere strip.mesh.off -o strip.obj --stats strip.json
-says 'note: face too small for the picture: '
+says 'note: faces too small for coordinates in double: '
 claim "s = json('strip.json')" "s.status == 'success'" 'len(s.crowded_faces) > 0'
 # faces of a component have their numbers in the mesh
 awk '
