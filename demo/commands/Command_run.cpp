@@ -134,7 +134,7 @@ void Command_run::choose_section()
   if(m_input.covered && text.find(',') == std::string::npos)
     throw Program_error("--section: on triangles that are not a surface, the point must have the "
                         "form x,y,z");
-  m_section = {position(surface_point(text, m_input, Reach::anywhere), m_input.mesh), radius};
+  m_section = {position(surface_point(text, m_input), m_input.mesh), radius};
 }
 
 void Command_run::describe_cover()

@@ -89,14 +89,13 @@ Surface_location in_face(const std::string& text, std::size_t colon, std::size_t
   return in_face(*face, list, number_of_faces, text);
 }
 
-Surface_location nearest(const std::vector<double>& list, const Mesh& mesh, const std::string& text,
-                         Reach reach)
+Surface_location nearest(const std::vector<double>& list, const Mesh& mesh, const std::string& text)
 {
   const Point p(list[0], list[1], list[2]);
   const Point_finder find(mesh);
   const Surface_location result = find(p);
   const double distance = std::sqrt(CGAL::squared_distance(p, position(result, mesh)));
-  if(reach == Reach::nearby && !(distance <= find.tolerance()))
+  if(!(distance <= find.tolerance()))
     refuse(text, "it is " + std::to_string(distance) + " away from it, more than " +
                    std::to_string(find.tolerance()) + "; choose one on it, or give FACE:a,b,c");
   return result;
@@ -177,7 +176,7 @@ Surface_location Point_finder::operator()(const Point& p) const
   return best;
 }
 
-Surface_location surface_point(const std::string& text, const Input_mesh& input, Reach reach)
+Surface_location surface_point(const std::string& text, const Input_mesh& input)
 {
   constexpr const char* advice =
     "give a vertex, FACE:a,b,c or x,y,z, such as 7, 12:0.5,0.2,0.3 or 1,0,2.5";
@@ -188,7 +187,7 @@ Surface_location surface_point(const std::string& text, const Input_mesh& input,
     return input.as_read(in_face(text, colon, mesh.number_of_faces(), advice));
   const std::vector<double> list = numbers(text, text);
   if(list.size() == 3)
-    return nearest(list, mesh, text, reach);
+    return nearest(list, mesh, text);
   if(list.size() != 1 || text.find_first_of(".eE") != std::string::npos)
     refuse(text, advice);
   return at_vertex(Mesh::Vertex_index(static_cast<Mesh::size_type>(

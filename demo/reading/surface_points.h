@@ -12,20 +12,12 @@
 #include <string>
 #include <vector>
 
-// States whether a point may be farther away from a mesh than the tolerance of a Point_finder.
-enum class Reach
-{
-  nearby,
-  anywhere
-};
-
 // Returns the point of the mesh that `text` denotes. Throws Program_error for texts other than
 // - the index of a vertex,
 // - "FACE:a,b,c" with barycentric coordinates in the order of the corners of the face in the file,
-// - "x,y,z" for the nearest point of the mesh.
+// - "x,y,z" for the nearest point of the mesh, up to the tolerance of a Point_finder away.
 // Precondition: if the mesh covers triangles, `text` is "x,y,z".
-Surface_location surface_point(const std::string& text, const Input_mesh& input,
-                               Reach reach = Reach::nearby);
+Surface_location surface_point(const std::string& text, const Input_mesh& input);
 
 // Returns the point "FACE:a,b,c" of a triangulation with so many faces. Throws Program_error if it
 // does not exist.

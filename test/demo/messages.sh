@@ -234,6 +234,7 @@ calls <<'TABLE'
 2 | --signed needs a --curve | distance flat.mesh.off --source 0 --signed -o a.ply
 2 | --source or --curve is missing | distance flat.mesh.off -o a.ply
 2 | --signed is for a --curve alone, without --source | distance flat.mesh.off --source 0 --curve line.obj --signed -o a.ply
+2 | '5,5,5' is not a point of the mesh: it is | delaunay flat.mesh.off -o a.ply --picture a.svg --section 5,5,5 0.7
 2 | ; choose one on it, or give FACE:a,b,c | distance flat.mesh.off --source 0,0,9 -o a.ply
 2 | the curve does not separate the surface into its left and its right | distance flat.mesh.off --curve half.obj --signed --exact-distance -o a.ply
 2 | away from the surface, more than | distance flat.mesh.off --curve far.obj -o a.ply
