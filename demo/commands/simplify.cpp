@@ -36,6 +36,7 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <iostream>
 #include <limits>
 #include <optional>
 #include <ostream>
@@ -82,7 +83,7 @@ with exit code 0 and the status "nothing_removable" in the statistics. Vertices 
 
 With --min-angle, vertices are finally inserted into the coarse triangulation until its angles obey
 the bound, except at small-angle vertices, as by `intrinsic refine`. All output is about the refined
-coarse triangulation.
+coarse triangulation. If --max-insertions stops a refinement, a warning counts the remaining faces.
 
 With --close-loops and --pinch-handles, the topology is simplified first. Boundary loops up to a
 length are closed. Handles are cut along closed curves of edges up to a length, the shortest first,
@@ -246,6 +247,7 @@ public:
         m_run.add_output(matrix_paths(m_options)[n], matrices[n]);
       save(surface.history());
     });
+    warn_of_limits();
     m_run.finish(summary());
     return 0;
   }
@@ -616,22 +618,45 @@ private:
     m_run.add_output(m_run.options().save, text.str());
   }
 
+  // Warns if a refinement has stopped at its greatest number of insertions.
+  void warn_of_limits()
+  {
+    warn_of_limit("--refine", m_options.refinement.minimum_angle, "refinement_status",
+                  "faces_below_bound");
+    warn_of_limit("--min-angle", m_options.coarse_minimum_angle, "coarse_refinement_status",
+                  "coarse_faces_below_bound");
+  }
+
+  void warn_of_limit(const char* option, double angle, const char* status, const char* faces)
+  {
+    const Statistics& s = m_run.statistics();
+    if(m_run.options().is_quiet || !s.contains(status) ||
+       s[status] != to_string(IT::Refinement_status::insertion_limit))
+      return;
+    m_run.progress().clear();
+    std::cerr << m_run.options().input << ": warning: " << option << ' ' << angle
+              << " is not reached: " << s[faces]
+              << " faces have smaller angles; lower the angle, or raise --max-insertions\n";
+  }
+
   std::string summary()
   {
     const Statistics& s = m_run.statistics();
     std::ostringstream text;
-    text << s["vertices"] << " -> " << s["coarse_vertices"] << " vertices ("
-         << s["status"].get<std::string>() << "), area times " << s["area_ratio"].get<double>()
-         << ", smallest angle " << m_run.input().diagnosis.statistics().min_angle << " -> "
+    const auto inserted = s.value("coarse_inserted_vertices", std::size_t(0));
+    text << s["vertices"] << " -> " << s["coarse_vertices"].get<std::size_t>() - inserted
+         << " vertices (" << s["status"].get<std::string>() << ')';
+    if(s.contains("coarse_refinement_status"))
+      text << " -> " << s["coarse_vertices"] << " with --min-angle ("
+           << s["coarse_refinement_status"].get<std::string>() << ')';
+    text << ", area times " << s["area_ratio"].get<double>() << ", smallest angle "
+         << m_run.input().diagnosis.statistics().min_angle << " -> "
          << s["min_angle_degrees"].get<double>() << " degrees";
     if(!m_options.weights.empty())
       for(const auto& [name, value] : m_weights.values())
         text << ", weight " << name << '=' << value;
     if(s.contains("coarse_mesh"))
       describe_coarse_mesh(s["coarse_mesh"], text);
-    for(const char* key : {"refinement_status", "coarse_refinement_status"})
-      if(s.contains(key) && s[key] == to_string(IT::Refinement_status::insertion_limit))
-        text << ", " << key << ": insertion_limit";
     return text.str();
   }
 

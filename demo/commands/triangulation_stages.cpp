@@ -349,7 +349,7 @@ std::string summary_of_changes(Command_run& run)
          << "), ";
   if(s.contains("status") && s["status"] == to_string(IT::Refinement_status::insertion_limit))
     text << s["faces_below_bound"]
-         << " faces are left: ask for smaller angles or larger faces, or allow more insertions, ";
+         << " faces are left: ask for smaller angles or larger faces, or raise --max-insertions, ";
   text << "smallest angle " << run.input().diagnosis.statistics().min_angle << " -> "
        << s["min_angle_degrees"].get<double>() << " degrees";
   return text.str();

@@ -93,11 +93,18 @@ for command in 'distance --source 0 -o a.ply' 'operators --prefix a' 'transfer -
   'simplify --vertices 300 -o a.ply'; do
   expect 0 ${command%% *} slivers.mesh.off ${command#* } --min-angle 25 --max-insertions 5 --stats a.json
   says insertion_limit
+  says 'raise --max-insertions'
   claim "s = json('a.json')" \
     "'insertion_limit' in (s.get('status'), s.get('coarse_refinement_status'))" \
     "5 in (s.get('inserted_vertices'), s.get('coarse_inserted_vertices'))"
   rm a*
 done
+expect 0 simplify slivers.mesh.off -o a.ply --vertices 300 --min-angle 25 --max-insertions 5
+says ' -> 300 vertices (reached) -> 305 with --min-angle (insertion_limit), '
+says 'slivers.mesh.off: warning: --min-angle 25 is not reached: '
+expect 0 simplify slivers.mesh.off -o a.ply --vertices 300 --refine 25 --max-insertions 5
+says 'slivers.mesh.off: warning: --refine 25 is not reached: '
+rm a.*
 
 # Exact decisions on request, with a certificate of the refined triangulation.
 expect 0 refine slivers.mesh.off -o a.ply --exact --stats a.json
