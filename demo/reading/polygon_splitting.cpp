@@ -53,6 +53,15 @@ Flat_points best_projection(const std::vector<Point>& points)
   return {};
 }
 
+// Returns whether a line contains all points.
+bool are_collinear(const std::vector<Point>& points)
+{
+  const auto other =
+    std::find_if(points.begin(), points.end(), [&](const Point& p) { return p != points.front(); });
+  return std::all_of(other, points.end(),
+                     [&](const Point& p) { return CGAL::collinear(points.front(), *other, p); });
+}
+
 std::vector<Corners> triangles_of(const Flat_points& points)
 {
   Flat_triangulation triangulation;
@@ -243,6 +252,8 @@ private:
     const Flat_points flat = best_projection(points);
     if(!flat.empty())
       return {triangles_of(flat), flat, polygon};
+    if(are_collinear(points))
+      fail(f, "has no area, because a line contains its corners; remove it from the file");
     const std::string reason = "crosses or touches itself, seen along every axis";
     if(!m_tolerance.may_touch_themselves)
       fail(f, reason + "; split it in the file, or let --repair do so");

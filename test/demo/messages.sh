@@ -93,6 +93,8 @@ off apart '0 0 0,1 0 0,0 1 0,7 7 7' '0 1 2'
 off moebius '0 0 0,1 0 0,0 1 0,1 1 1,0 0 2' '0 1 2,1 3 2,2 3 4,3 0 4,4 0 1'
 off crossed '0 0 0,1 0 0,1 1 0,0 1 0' '0 2 1 3'
 off folded "$square,0 0 1,0 0 2" '0 1 2 3,1 0 4,4 0 2,3 2 5,5 2 0,1 4 3,1 3 5'
+off star "$(awk 'BEGIN { for(i = 0; i < 1001; ++i) print cos(4 * i * 3.14159265 / 1001), sin(4 * i * 3.14159265 / 1001), 0 }' |
+  paste -sd ,)" "$(seq -s ' ' 0 1000)"
 
 expect 0 delaunay flat.mesh.off -o flat.mesh.ply
 ln -s flat.mesh.ply link.mesh.ply
@@ -182,7 +184,9 @@ calls <<'TABLE'
 2 | no point has neighbors in two directions | operators a.mesh.xyz --neighbors 3 --prefix a
 2 | has fewer than three corners | delaunay narrow_polygon.mesh.off -o a.ply
 2 | crosses or touches itself, seen along every axis | delaunay crossed.mesh.off -o a.ply
-2 | , and cannot be split into triangles; split it in the file | delaunay line.mesh.off --repair -o a.ply
+2 | line.mesh.off: face 0 has no area, because a line contains its corners; remove it from the file | delaunay line.mesh.off -o a.ply
+2 | line.mesh.off: face 0 has no area | delaunay line.mesh.off -o a.ply --repair
+2 | , and cannot be split into triangles; split it in the file | delaunay star.mesh.off --repair -o a.ply
 2 | cannot be split into triangles without an edge that another face has | delaunay folded.mesh.off -o a.ply
 2 | ; correct it in the file | delaunay index.mesh.ply -o a.ply
 2 | ; --repair may mend it | delaunay repeated.mesh.off -o a.ply
