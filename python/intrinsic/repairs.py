@@ -24,7 +24,8 @@ class Info:
     Attributes
     ----------
     vertices, edges, faces, components, boundary_loops, euler_characteristic : int
-        Numbers; the last one without isolated vertices.
+        Numbers. Components are connected by edges. The last number leaves out isolated vertices,
+        and counts a vertex once for each of its fans of faces.
     min_angle_degrees, min_edge_length, max_edge_length : float
         Extremes; lengths in the unit of V.
     is_valid : bool

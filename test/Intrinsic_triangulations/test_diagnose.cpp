@@ -226,6 +226,7 @@ TEST(Diagnose, two_fans_at_a_vertex)
   const Input_diagnosis d = diagnose(points(5), {{0, 1, 2}, {0, 3, 4}});
   EXPECT_EQ(d.count(Defect_kind::NON_MANIFOLD_VERTEX), 1u);
   EXPECT_EQ(d.occurrences(Defect_kind::NON_MANIFOLD_VERTEX)[0].vertices[0], 0u);
+  EXPECT_EQ(d.statistics().euler_characteristic, 2); // of two disks
   EXPECT_EQ(d.statistics().boundary_loops, 2u);
   EXPECT_EQ(d.statistics().components, 2u);
 }

@@ -16,6 +16,12 @@ says 'components            2'
 ! grep -E 'component: |(note|error):' out || fail 'two components are called a defect'
 expect 0 delaunay two_components.mesh.off -o -
 says 'note: connected components: 2'
+# Only edges connect faces: two disks share a vertex.
+off pinched '0 0 0,1 0 0,0 1 0,-1 0 0,0 -1 0' '0 1 2,0 3 4'
+expect 2 info pinched.mesh.off
+says 'components            2'
+says 'boundary loops        2'
+says 'Euler characteristic  2'
 expect 0 info cap.mesh.off
 says 'note: degenerate face: 1, first at face 2'
 expect 0 info needle.mesh.off

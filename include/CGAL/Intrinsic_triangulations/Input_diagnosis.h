@@ -137,7 +137,8 @@ public:
     std::size_t face = none;                            ///< the face, or a face of the edge
   };
 
-  /// numbers about the surface.
+  /// numbers about the surface. Only edges connect faces of a component. The Euler characteristic
+  /// counts a vertex once for each of its fans of faces.
   struct Statistics
   {
     std::size_t vertices = 0; ///< number of vertices, with the isolated ones

@@ -145,8 +145,10 @@ private:
       if(m_fans.find_set(c) == c)
         ++fans[m_complex.corner_vertex[c]];
     for(std::size_t v = 0; v < fans.size(); ++v) {
-      if(fans[v] > 1)
+      if(fans[v] > 1) {
         m_diagnosis.add(Defect_kind::NON_MANIFOLD_VERTEX, m_complex.vertex(v));
+        m_number_of_further_fans += fans[v] - 1;
+      }
       if(!m_complex.is_mentioned[v])
         m_diagnosis.add(Defect_kind::ISOLATED_VERTEX, m_complex.vertex(v));
     }
@@ -174,8 +176,9 @@ private:
     s.vertices = m_complex.number_of_vertices;
     s.edges = m_complex.number_of_edges();
     s.faces = number_of_usable_faces();
-    s.euler_characteristic = static_cast<long>(number_of_used_vertices()) -
-                             static_cast<long>(s.edges) + static_cast<long>(s.faces);
+    s.euler_characteristic =
+      static_cast<long>(number_of_used_vertices() + m_number_of_further_fans) -
+      static_cast<long>(s.edges) + static_cast<long>(s.faces);
   }
 
   // Returns the number of faces with corners. Other faces have no edges either.
@@ -227,8 +230,9 @@ private:
 
   const Diagnosis_complex& m_complex;
   Input_diagnosis& m_diagnosis;
-  Disjoint_sets m_fans;       // corners around a vertex, joined across edges
-  Disjoint_sets m_components; // faces, joined across edges
+  std::size_t m_number_of_further_fans = 0; // beyond the first one of each vertex
+  Disjoint_sets m_fans;                     // corners around a vertex, joined across edges
+  Disjoint_sets m_components;               // faces, joined across edges
 };
 
 // Diagnoses a complex whose lengths follow from `data`: from points, or the lengths themselves.
