@@ -230,7 +230,7 @@ private:
       polygons.emplace_back(polygon.begin(), polygon.end());
     PMP::orient_polygon_soup(m_soup.points, polygons,
                              CGAL::parameters::visitor(Reversal_follower(is_reversed)));
-    reverse_few(polygons, is_reversed);
+    choose_sides(polygons, is_reversed);
     const auto reversals =
       static_cast<std::size_t>(std::count(is_reversed.begin(), is_reversed.end(), 1));
     for(std::size_t i = 0; i < is_reversed.size(); ++i)
@@ -248,23 +248,52 @@ private:
     return apart;
   }
 
-  // Reverses components of which more than half has been reversed, so that few faces are.
-  static void reverse_few(std::vector<Cycle>& polygons, std::vector<char>& is_reversed)
+  // Counts what decides about the orientation of a component.
+  struct Side_choice
+  {
+    std::ptrdiff_t excess = 0;         // of reversed polygons
+    std::ptrdiff_t boundary_edges = 0; // the sides with one polygon
+    double volume = 0;                 // six times the enclosed volume
+
+    bool is_wrong() const { return excess > 0 || (excess == 0 && !boundary_edges && volume < 0); }
+  };
+
+  // Reverses components of which more than half has been reversed, so that few faces are. If half
+  // of a closed component has been reversed, its normals point outward.
+  void choose_sides(std::vector<Cycle>& polygons, std::vector<char>& is_reversed) const
   {
     boost::disjoint_sets_with_storage<> components(polygons.size());
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> polygon_at;
+    std::vector<std::ptrdiff_t> boundary_edges(polygons.size(), 0);
     for(std::size_t i = 0; i < polygons.size(); ++i)
       for_each_side(polygons[i], [&](const auto& side) {
-        components.union_set(i, polygon_at.emplace(side, i).first->second);
+        const auto [found, is_new] = polygon_at.emplace(side, i);
+        components.union_set(i, found->second);
+        boundary_edges[i] += is_new ? 1 : -1;
       });
-    std::vector<std::ptrdiff_t> excess(polygons.size(), 0); // of reversed polygons
+    std::vector<Side_choice> choices(polygons.size());
+    for(std::size_t i = 0; i < polygons.size(); ++i) {
+      const std::size_t c = components.find_set(i);
+      choices[c].excess += is_reversed[i] ? 1 : -1;
+      choices[c].boundary_edges += boundary_edges[i];
+      choices[c].volume += volume_below(polygons[i], m_soup.points[polygons[c].front()]);
+    }
     for(std::size_t i = 0; i < polygons.size(); ++i)
-      excess[components.find_set(i)] += is_reversed[i] ? 1 : -1;
-    for(std::size_t i = 0; i < polygons.size(); ++i)
-      if(excess[components.find_set(i)] > 0) {
+      if(choices[components.find_set(i)].is_wrong()) {
         std::reverse(polygons[i].begin(), polygons[i].end());
         is_reversed[i] ^= 1;
       }
+  }
+
+  // Returns six times the volume of the pyramid from the polygon to `apex`; negative if the normal
+  // points to the apex.
+  double volume_below(const Cycle& polygon, const Point& apex) const
+  {
+    double result = 0;
+    const auto to = [&](std::size_t c) { return m_soup.points[polygon[c]] - apex; };
+    for(std::size_t c = 1; c + 1 < polygon.size(); ++c)
+      result += CGAL::determinant(to(0), to(c), to(c + 1));
+    return result;
   }
 
   // Returns how many points of the input that are one of the first `n` points were merged, but are

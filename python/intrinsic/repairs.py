@@ -101,7 +101,8 @@ def repair(V: Any, F: ArrayLike | None = None, *, weld: float = 0.0) -> Repair:
     """Make a surface of triangles.
 
     Merges points, removes broken and duplicate faces and isolated points, orients faces, and
-    duplicates points at which the surface is not manifold.
+    duplicates points at which the surface is not manifold. At most half of the faces of a component
+    are reversed; if it is half of a closed component, its normals point outward.
 
     Parameters
     ----------

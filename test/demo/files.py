@@ -207,6 +207,15 @@ def area(mesh):
     return result
 
 
+def volume(mesh):
+    """Enclosed by a closed surface; negative if normals point inward."""
+    result = 0
+    for face in mesh.faces:
+        p = [mesh.points[v] for v in face]
+        result += fsum(x * y for i in range(2, len(p)) for x, y in zip(p[0], cross(p[i - 1], p[i])))
+    return result / 6
+
+
 def signed_area(points, face):
     """In the plane."""
     p = [points[v] for v in face]

@@ -20,6 +20,19 @@ mended()
 mended repeated.mesh.off 'degenerate or duplicate faces removed: 1'
 mended edge_of_three.mesh.off 'points duplicated to make the surface manifold: 4'
 mended orientation.mesh.off 'faces reversed: 1'
+# Half of a closed surface is reversed: normals point outward. More than half: few faces change.
+cube_points='0 0 0,1 0 0,1 1 0,0 1 0,0 0 1,1 0 1,1 1 1,0 1 1'
+outward='0 3 2 1,4 5 6 7,0 1 5 4'
+off half_reversed "$cube_points" "$outward,1 5 6 2,2 6 7 3,3 7 4 0"
+off half_outward "$cube_points" '0 1 2 3,4 7 6 5,0 4 5 1,1 2 6 5,2 3 7 6,3 0 4 7'
+off inward "$cube_points" '0 1 2 3,4 7 6 5,0 4 5 1,1 5 6 2,2 3 7 6,3 7 4 0'
+for expected in 'half_reversed 3 1' 'half_outward 3 1' 'inward 1 -1'; do
+  read -r mesh reversed volume <<<"$expected"
+  expect 0 delaunay "$mesh.mesh.off" -o result.off --repair
+  says "faces reversed: $reversed"
+  claim "near(volume(off('result.off')), $volume, 1e-12)"
+done
+rm result.off
 mended bow_tie.mesh.off 'points duplicated to make the surface manifold: 1'
 mended zero_length.mesh.off 'points merged with an equal one: 1'
 
