@@ -56,6 +56,7 @@ the last line on standard error have the status:
   shortest             no path is shorter
   geodesic             no small change shortens it
   blocked              it crosses itself, and is geodesic elsewhere
+  contracted           it contracts to a point: its length is zero, and no line is written
   straightest          it has the requested length
   stopped_at_boundary  it ends at the boundary
 The statistics have all points of the path and, after flips, its edges in the intrinsic
@@ -133,6 +134,13 @@ Found_path found_path(Path path, const std::string& status, const Input_mesh& in
   for(const Place& p : path.places)
     s["places"].push_back(description(p, input));
   return {std::move(path), std::move(s)};
+}
+
+Found_path contracted_path()
+{
+  return {
+    Path{0, {}},
+    {{"status", "contracted"}, {"length", 0.}, {"crossings", 0}, {"places", Statistics::array()}}};
 }
 
 class Path_command
@@ -244,10 +252,6 @@ private:
     Halfedges path = path_along_edges(triangulation);
     Edge_paths paths(triangulation);
     Found_path result = shortened(path, triangulation, paths);
-    if(path.empty())
-      throw Program_error(
-        "the path contracts to a point; lead it around a handle, a hole or a vertex of "
-        "negative curvature with --via");
     Statistics& edges = result.description["intrinsic_edges"] = Statistics::array();
     for(Halfedge h : path)
       edges.push_back({{"edge", Mesh::Edge_index(h).idx()},
@@ -268,18 +272,17 @@ private:
     return result;
   }
 
-  // Shortens a path along edges, whose halfedges become halfedges after flips. It is empty if it
-  // contracts.
+  // Shortens a path along edges, whose halfedges become halfedges after flips. It is empty, and has
+  // no places, if it contracts to a point.
   Found_path shortened(Halfedges& path, const Triangulation& triangulation, Edge_paths& paths) const
   {
     m_options.is_loop ? paths.add_loop(path) : paths.add_path(path);
     const double before = paths.length(0);
     const IT::Shortening_status status = paths.shorten();
     path = paths.halfedges(0);
-    if(path.empty())
-      return {};
-    Found_path result =
-      found_path(IT::path_on_input(triangulation, path), name_of(status), m_run.input());
+    Found_path result = path.empty() ? contracted_path()
+                                     : found_path(IT::path_on_input(triangulation, path),
+                                                  name_of(status), m_run.input());
     result.description["length_along_edges"] = before;
     return result;
   }
@@ -401,6 +404,8 @@ private:
   {
     Output_mesh result;
     for(const Found_path& found : paths) {
+      if(found.path.places.empty())
+        continue;
       const auto first = static_cast<Polygons::Index>(result.points.size());
       for(const Place& p : found.path.places)
         result.points.push_back(
@@ -456,6 +461,10 @@ private:
       return text.str();
     }
     const Path& path = paths.front().path;
+    if(path.places.empty())
+      return "no line: the path contracts to a point; lead it around a handle, a hole or a vertex "
+             "of "
+             "negative curvature with --via";
     text << paths.front().description["status"].get<std::string>() << " path of length "
          << path.length << " over " << number_of_crossings(path) << " edges and vertices";
     return text.str();

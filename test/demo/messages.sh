@@ -324,7 +324,6 @@ calls <<'TABLE'
 2 | --via is for --flips and --loop | path flat.mesh.off --from 0 --to 1 --via 2 -o a.obj
 2 | there is no path from 0 to 4 | path two_triangles.mesh.off --from 0 --to 4 -o a.obj
 2 | there is no path from 0 to 4 | path two_triangles.mesh.off --from 0 --to 4 --flips -o a.obj
-2 | the path contracts to a point | path pillow.mesh.off --from 0 --loop --via 1 --via 2 -o a.obj
 2 | 'x' is not a point of the mesh | path flat.mesh.off --from x --to 1 -o a.obj
 2 | vertex 3 has no face | path apart.mesh.off --from 3 --to 1 -o a.obj
 2 | barycentric coordinates must not be negative, and must sum up to 1 | path flat.mesh.off --from 0:1,1,1 --to 1 -o a.obj

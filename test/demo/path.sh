@@ -41,6 +41,14 @@ claim "json('a.json').status == 'stopped_at_boundary'"
 expect 0 path square.mesh.off --from 5 --to 5 -o a.ply --stats a.json
 claim "s, m = json('a.json'), ply('a.ply')" 's.length == 0' 's.crossings == 0' 'len(m.points) == 2'
 
+# A loop around a face, and a geodesic from a vertex to itself, contract to a point.
+for options in '--loop --via 41 --via 42' '--to 0 --flips'; do
+  expect 0 path square.mesh.off --from 0 $options -o a.ply --stats a.json --view a.html
+  says 'no line: the path contracts to a point'
+  claim "s, m = json('a.json'), ply('a.ply')" 's.status == "contracted"' \
+    's.length == s.crossings == 0' 's.places == s.intrinsic_edges == []' 'm.points == []'
+done
+
 rm -f a.*
 # At a vertex zero degrees is along the side that leaves it in its first face, which is 0 41 42 for
 # vertex 0; in a face it is along the first side. On the boundary other angles lead out of the surface.
