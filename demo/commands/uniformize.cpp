@@ -29,13 +29,13 @@ constexpr const char* uniformize_help =
   a sphere      round, as with `intrinsic sphere`
   a disk        a hemisphere, as with `intrinsic sphere`; its texture is the image in the unit disk
   a torus       flat, as with `intrinsic flatten --cones none`
-  a cylinder    with two boundaries and no handles: flat, with straight boundaries
+  an annulus    with two boundaries and no handles: a flat cylinder with straight boundaries
   hyperbolic    with more handles or boundaries, as with `intrinsic hyperbolic`
 --svg and --tiles are for hyperbolic surfaces, --homogeneous for hyperbolic and flat surfaces.
 
 The statistics have the keys of these commands, and "modulus" as real and imaginary part. For a
 torus, it is the quotient tau of the generators of its lattice, in the fundamental domain of the
-modular group. For a cylinder, its imaginary part is the height over the circumference.
+modular group. For an annulus, its imaginary part is the height over the circumference.
 
 Several components are mapped one by one and written into one mesh, in which the vertices of the
 input keep their indices. Textures stand beside each other. Unit spheres stand in a row, to the
