@@ -58,19 +58,22 @@ void write(Text& text, const Surface_location& p)
        << p.second[2];
 }
 
-// Calls use(text) with the point of each line, or with the last one of two points, as this command
-// writes them. Errors name the line.
+// Calls use(text) with the point of each line. If `may_be_second`, lines may have two points, as
+// this command writes them, and the last one counts. Errors name the line.
 template <typename Use>
-void for_each_point(const std::string& path, bool is_last, const Use& use)
+void for_each_point(const std::string& path, bool may_be_second, const Use& use)
 {
   bool is_empty = true;
   for_each_line(path, [&](const std::vector<std::string>& words, std::size_t line) {
     is_empty = false;
     try {
-      if(words.size() > 2 || (words.size() == 2 && words[1].find(':') == std::string::npos))
-        throw Program_error("'" + words[1] + "' follows a point; coordinates have commas and no " +
-                            "blanks between them, such as 1,0,2.5");
-      use(is_last ? words.back() : words.front());
+      const bool is_pair =
+        may_be_second && words.size() == 2 && words[1].find(':') != std::string::npos;
+      if(words.size() > 1 && !is_pair)
+        throw Program_error("'" + words[1] +
+                            "' follows a point; lines of two points are for --back, and "
+                            "coordinates have commas and no blanks between them, such as 1,0,2.5");
+      use(words.back());
     } catch(const Program_error& e) {
       throw Program_error(path + ": line " + std::to_string(line) + ": " + e.what());
     }

@@ -67,6 +67,7 @@ text h.mesh.vtp '<VTKFile type="PolyData"></VTKFile>;<!-- a'
 text words.txt '0 1 2'
 text nothing.txt '# nothing'
 text spaced.txt '1 0 0'
+printf '0:1,0,0\n0:0.5,0.5,0 0:0.5,0.5,0\n' >pair.txt
 text line.obj 'v 0 0 0;v 1 0 0;l 1 2'
 text half.obj 'v 0.25 0 0;v 0.25 0.125 0;l 1 2'
 text across.obj 'v 0 0 0;v 5 0 0;l 1 2'
@@ -92,9 +93,9 @@ off two_triangles '0 0 0,1 0 0,0 1 0,5 0 0,6 0 0,5 1 0' '0 1 2,3 4 5'
 off apart '0 0 0,1 0 0,0 1 0,7 7 7' '0 1 2'
 off moebius '0 0 0,1 0 0,0 1 0,1 1 1,0 0 2' '0 1 2,1 3 2,2 3 4,3 0 4,4 0 1'
 off crossed '0 0 0,1 0 0,1 1 0,0 1 0' '0 2 1 3'
-off folded "$square,0 0 1,0 0 2" '0 1 2 3,1 0 4,4 0 2,3 2 5,5 2 0,1 4 3,1 3 5'
 off star "$(awk 'BEGIN { for(i = 0; i < 1001; ++i) print cos(4 * i * 3.14159265 / 1001), sin(4 * i * 3.14159265 / 1001), 0 }' |
   paste -sd ,)" "$(seq -s ' ' 0 1000)"
+off folded "$square,0 0 1,0 0 2" '0 1 2 3,1 0 4,4 0 2,3 2 5,5 2 0,1 4 3,1 3 5'
 
 expect 0 delaunay flat.mesh.off -o flat.mesh.ply
 ln -s flat.mesh.ply link.mesh.ply
@@ -233,12 +234,12 @@ calls <<'TABLE'
 2 | a.ply.txt: --view needs a name that ends with .html or .htm | delaunay flat.mesh.off -o a.ply --view a.ply.txt
 2 | no_extension: --view needs a name that ends with .html or .htm | info flat.mesh.off --view no_extension
 2 | a.txt: --circles needs a name that ends with .svg or .png | pack flat.mesh.off -o a.ply --circles a.txt
+2 | '5,5,5' is not a point of the mesh: it is | delaunay flat.mesh.off -o a.ply --picture a.svg --section 5,5,5 0.7
 2 | --section: the radius must be a finite number above zero | delaunay flat.mesh.off -o a.ply --picture a.svg --section 0 0
 2 | --section: on triangles that are not a surface, the point must have the form x,y,z | operators edge_of_three.mesh.off --prefix a --picture a.svg --section 0 1
 2 | --signed needs a --curve | distance flat.mesh.off --source 0 --signed -o a.ply
 2 | --source or --curve is missing | distance flat.mesh.off -o a.ply
 2 | --signed is for a --curve alone, without --source | distance flat.mesh.off --source 0 --curve line.obj --signed -o a.ply
-2 | '5,5,5' is not a point of the mesh: it is | delaunay flat.mesh.off -o a.ply --picture a.svg --section 5,5,5 0.7
 2 | ; choose one on it, or give FACE:a,b,c | distance flat.mesh.off --source 0,0,9 -o a.ply
 2 | the curve does not separate the surface into its left and its right | distance flat.mesh.off --curve half.obj --signed --exact-distance -o a.ply
 2 | away from the surface, more than | distance flat.mesh.off --curve far.obj -o a.ply
@@ -247,7 +248,8 @@ calls <<'TABLE'
 2 | is not connected to the one before | distance two_triangles.mesh.off --curve across.obj -o a.ply
 2 | inside.txt: has values for 1 of 25 vertices | transfer flat.mesh.off --data inside.txt -o a.txt
 2 | nothing.txt: has no points | transfer flat.mesh.off --points nothing.txt -o a.txt
-2 | spaced.txt: line 1: '0' follows a point; coordinates have commas and no blanks between them, such as 1,0,2.5 | transfer flat.mesh.off --points spaced.txt -o a.txt
+2 | spaced.txt: line 1: '0' follows a point; lines of two points are for --back, and coordinates have commas and no blanks between them, such as 1,0,2.5 | transfer flat.mesh.off --points spaced.txt -o a.txt
+2 | pair.txt: line 2: '0:0.5,0.5,0' follows a point | transfer flat.mesh.off --points pair.txt -o a.txt
 2 | there is no vertex 99 to be a source; the vertices are 0 to 24 | distance flat.mesh.off --source 99 -o a.ply
 2 | --exact: --solver cetm makes no triangulation Delaunay | flatten flat.mesh.off -o a.obj --exact --solver cetm
 2 | --max-log-scale is for --cones greedy or exchanged, not for --cones none | flatten flat.mesh.off -o a.obj --max-log-scale 3 --cones none
