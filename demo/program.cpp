@@ -20,6 +20,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -88,15 +89,27 @@ int run(Command_line& line)
   }
 }
 
+// Returns the words of the command line. "help", before a command or alone, becomes "--help".
+std::vector<const char*> words(int argc, const char* const* argv)
+{
+  std::vector<const char*> result(argv, argv + argc);
+  if(argc > 1 && result[1] == std::string("help")) {
+    result.erase(result.begin() + 1);
+    result.push_back("--help");
+  }
+  return result;
+}
+
 } // namespace
 
 int run_program(int argc, const char* const* argv)
 {
   Command_line line;
+  const std::vector<const char*> given = words(argc, argv);
   try {
-    line.app().parse(argc, argv);
+    line.app().parse(argc, given.data());
   } catch(const CLI::ParseError& e) {
-    return exit_code(line.app(), e, argc, argv);
+    return exit_code(line.app(), e, argc, given.data());
   }
   return run(line);
 }

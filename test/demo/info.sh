@@ -77,9 +77,14 @@ says 'note: vertex within rounding of an edge: 1, first at vertex 4 (face 0) - '
 expect 0 info near.mesh.off --json
 says '"vertex": 4'
 
-expect 0 --help
-says 'Examples:'
-expect 0 delaunay --help
+for command in '' delaunay; do
+  expect 0 $command --help
+  says 'Examples:'
+  mv out option
+  expect 0 help $command
+  cmp out option || fail "help $command is not $command --help"
+done
+rm option
 expect 0 --version
 says 'intrinsic '
 expect 2
