@@ -799,8 +799,9 @@ def exp_map(
     source : int
         The vertex.
     vector : complex
-        The direction and the length, as from `log_map()`. A path over more than a million edges
-        raises `LimitError`.
+        The direction and the length, as from `log_map()`. Angles are scaled as `TangentFrames`
+        explains, also at corners of the boundary. A path over more than a million edges raises
+        `LimitError`.
 
     Returns
     -------
@@ -846,6 +847,7 @@ def transport(
     (n,) complex array
         At each vertex, the vector of the nearest source, transported. Near vertices with two
         nearest sources, it is a smooth mixture of both. It is zero where no source can reach.
+        Angles are scaled as `TangentFrames` explains, also at corners of the boundary.
 
     Examples
     --------

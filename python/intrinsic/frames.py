@@ -25,14 +25,18 @@ class TangentFrames(NamedTuple):
     edge is on the boundary, with the surface on its left. At such a vertex, the angle from one
     boundary edge to the other is scaled to pi.
 
+    A tangent vector z is `z.real * x + z.imag * y` in space if the angles of faces have the sum
+    2 pi, or pi at a boundary vertex. For other sums it is not. At a corner of a flat square, 1j points along
+    the diagonal, and -1 along the second side. `log_map()`, `exp_map()`, `transport()` and
+    `connection_laplacian()` use the scaled angles, also at such corners.
+
     Attributes
     ----------
     neighbors : (n,) int array
         The vertex at the other end of the first edge; -1 for vertices without faces.
     x, y : (n, 3) float arrays
         The directions of 1 and of 1j in space. `x` is the first edge without its part along the
-        normal, and `y` is the cross product of the normal with `x`. In the tangent plane, a vector
-        z is `z.real * x + z.imag * y`.
+        normal, and `y` is the cross product of the normal with `x`.
     normals : (n, 3) float array
         The sums of the normals of faces at each vertex, weighted by areas, with length 1.
     """

@@ -130,7 +130,8 @@ def connection_laplacian(
     Returns
     -------
     (n, n) sparse matrix of complex numbers
-        Hermitian. Tangent vectors are complex numbers in the frames of `tangent_frames()`.
+        Hermitian. Tangent vectors are complex numbers in the frames of `tangent_frames()`. Angles
+        are scaled as `TangentFrames` explains, also at corners of the boundary.
     """
     return sparse(computed_on(V, F, lengths, mollify, lambda T: _core.connection_laplacian(T._core),
                               check_progress(progress)))

@@ -59,7 +59,8 @@ Eigen::SparseMatrix<std::complex<FT>> connection_laplacian(const Delta_complex& 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// computes the matrix \f$L^\nabla\f$ of the energy \f$\sum w_{ij} |X_j - R_{ij} X_i|^2\f$ of
 /// tangent vectors \f$X\f$ at the vertices. It has the weights \f$w_{ij}\f$ of `cotan_laplacian()`
-/// and the parallel transport of `Tangent_frames`. It is Hermitian, and positive semidefinite if
+/// and the parallel transport of `Tangent_frames`, with normalized angles also at corners of the
+/// boundary. It is Hermitian, and positive semidefinite if
 /// no weight is negative. A loop adds the turn of transport around it. The row of an isolated (or
 /// removed) vertex is empty. Complexity: linear.
 /// \param surface a model of `IntrinsicSurface`

@@ -28,7 +28,9 @@ class Tufted_surface;
 ///
 /// A tangent vector at a vertex is a complex number. Its argument is a normalized angle: the angle
 /// on the surface, counterclockwise from `first_outgoing_halfedge()`, times a scale. A full turn
-/// is \f$2\pi\f$; the angle from one border edge to the other is \f$\pi\f$.
+/// is \f$2\pi\f$; the angle from one border edge to the other is \f$\pi\f$. At a vertex with
+/// another angle sum, the real and imaginary part are no coordinates in an orthonormal frame of the
+/// tangent plane (\ref it_tangent). Corners of a flat square are such vertices.
 ///
 /// The object does not refer to the mesh, and is valid as long as connectivity and lengths do not
 /// change. Memory: a number for each vertex and halfedge.

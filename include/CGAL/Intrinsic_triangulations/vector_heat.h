@@ -32,9 +32,9 @@ namespace CGAL::Intrinsic_triangulations {
 /// \cgalCite{SSC19b}: approximately along shortest geodesics from the nearest source. The two
 /// matrices are factorized once.
 ///
-/// Tangent vectors are complex numbers in the frames of `Tangent_frames`. A Delaunay triangulation
-/// should be used: edges of negative weight (see `cotan_laplacian()`) do not carry
-/// vectors.
+/// Tangent vectors are complex numbers in the frames of `Tangent_frames`, with normalized angles
+/// also at corners of the boundary. A Delaunay triangulation should be used: edges of negative
+/// weight (see `cotan_laplacian()`) do not carry vectors.
 ///
 /// The object does not refer to the mesh, and is valid as long as connectivity and lengths do not
 /// change.
