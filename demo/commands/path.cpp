@@ -462,9 +462,8 @@ private:
     }
     const Path& path = paths.front().path;
     if(path.places.empty())
-      return "no line: the path contracts to a point; lead it around a handle, a hole or a vertex "
-             "of "
-             "negative curvature with --via";
+      return "no line: the path contracts to a point; lead it around a handle, a hole or a "
+             "vertex of negative curvature with --via";
     text << paths.front().description["status"].get<std::string>() << " path of length "
          << path.length << " over " << number_of_crossings(path) << " edges and vertices";
     return text.str();

@@ -236,15 +236,36 @@ private:
     return result;
   }
 
-  // Returns for each component whether its chart is not cut. Cones and handles require cuts.
+  // Returns for each component whether it is a disk without cones, whose chart is not to be cut.
+  std::vector<char> disks_without_cones() const
+  {
+    const Delta_complex& surface = m_problem.surface();
+    std::vector<int> characteristic(m_problem.components().size(), 0);
+    for(Vertex_index v : surface.vertices())
+      ++characteristic[m_problem.component(v)];
+    for(Edge_index e : surface.edges())
+      --characteristic[m_problem.component(surface.vertex(e, 0))];
+    for(Face_index f : surface.faces())
+      ++characteristic[m_problem.component(surface.target(surface.halfedge(f)))];
+    std::vector<char> result;
+    for(const int c : characteristic)
+      result.push_back(c == 1);
+    for(Vertex_index v : m_scale.cones())
+      result[m_problem.component(v)] = 0;
+    return result;
+  }
+
+  // Returns for each component whether its chart is not cut, or is not to be cut. Cones and handles
+  // require cuts.
   std::vector<char> whole_charts(const Planar_conformal_map& map) const
   {
+    const std::vector<char> is_disk = disks_without_cones();
     std::vector<char> result(m_problem.components().size(), 1);
     for(Edge_index e : mesh().edges()) {
       const Halfedge_index h = mesh().halfedge(e);
       if(map.is_seam(e) && !m_is_cut_edge[e.idx()] && map.is_laid_out(mesh().face(h)) &&
          map.is_laid_out(mesh().face(mesh().opposite(h))))
-        result[component(mesh().face(h))] = 0;
+        result[component(mesh().face(h))] = is_disk[component(mesh().face(h))];
     }
     return result;
   }

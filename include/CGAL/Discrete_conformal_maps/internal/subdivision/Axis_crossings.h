@@ -18,8 +18,8 @@
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // Computes the coordinates on T_3 of the points where edges of T_3 cross the axis of a symmetric
-// double, from the symmetry. Each point is found in T_2, where rounding can exceed the distance of a
-// vertex from the axis.
+// double, from the symmetry. Each point is found in T_2, where rounding can exceed the distance of
+// a vertex from the axis.
 //
 // Let x' and y' be the mirror images of x and y. An edge from x to x' crosses the axis in its
 // middle. If at most four vertices are on a circle, other edges are diagonals, from x to y', of
