@@ -127,6 +127,7 @@ public:
       promises.push_back({"rounded_curvature", m_rounded_error, tolerance::promised_rounded_angle,
                           Map_status::wrong_curvature});
     promises.insert(promises.end(), exact.begin(), exact.end());
+    const std::vector<char> is_disk = disks_without_cones();
     m_problem.drop_surface();
     m_builder.subdivide(m_visitor);
     auto map = m_builder.template map<Planar_conformal_map>(m_scale.cones(), std::move(m_layout));
@@ -134,7 +135,8 @@ public:
       arrange_charts(map);
       const Plane_picture picture = map.picture();
       m_builder.set_crowded(picture.crowded_faces());
-      for(const auto& part : {planar_promises(picture), shape.promises(map, whole_charts(map))})
+      for(const auto& part :
+          {planar_promises(picture), shape.promises(map, whole_charts(map, is_disk))})
         promises.insert(promises.end(), part.begin(), part.end());
     }
     m_builder.judge(map, std::move(promises));
@@ -257,9 +259,9 @@ private:
 
   // Returns for each component whether its chart is not cut, or is not to be cut. Cones and handles
   // require cuts.
-  std::vector<char> whole_charts(const Planar_conformal_map& map) const
+  std::vector<char> whole_charts(const Planar_conformal_map& map,
+                                 const std::vector<char>& is_disk) const
   {
-    const std::vector<char> is_disk = disks_without_cones();
     std::vector<char> result(m_problem.components().size(), 1);
     for(Edge_index e : mesh().edges()) {
       const Halfedge_index h = mesh().halfedge(e);
