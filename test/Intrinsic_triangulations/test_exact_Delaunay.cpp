@@ -518,6 +518,42 @@ TEST(Exact_Delaunay, double_is_certified_whatever_it_starts_from)
   }
 }
 
+// Returns a flat torus with the shortest distances 1000, |(300, 700)| and |(700, 700)|. Two sides
+// of each face wind around it.
+Triangulation wound_torus(std::size_t m, std::size_t n, int twists)
+{
+  const Mesh mesh = embedded_torus(m, n);
+  const auto steps = [](std::size_t from, std::size_t to, std::size_t size) {
+    const std::size_t steps = (to + size - from) % size;
+    return steps > 1 ? steps - static_cast<double>(size) : static_cast<double>(steps);
+  };
+  std::vector<double> length;
+  for(Edge_index e : mesh.edges()) {
+    const std::size_t v = mesh.vertex(e, 0).idx(), w = mesh.vertex(e, 1).idx();
+    const double row = steps(v % n, w % n, n);
+    length.push_back(
+      std::hypot(1000 * steps(v / n, w / n, m) + (1000. * twists + 300) * row, 700 * row));
+  }
+  return triangulation(Triangulation(mesh).mesh(), length);
+}
+
+// The strip of a short edge has thousands of triangles of the first triangulation.
+TEST(Exact_Delaunay, unwinds_tori)
+{
+  const std::array<double, 3> expected{std::hypot(300, 700), std::hypot(700, 700), 1000};
+  for(int twists : traced({100, 2000, 10000})) {
+    Triangulation t = wound_torus(6, 5, twists);
+    IT::make_Delaunay(t, exactly);
+    EXPECT_TRUE(IT::certify_Delaunay(t).is_Delaunay());
+    for(Face_index f : t.mesh().faces()) {
+      auto lengths = IT::internal::side_lengths(t.mesh().halfedge(f), t);
+      std::sort(lengths.begin(), lengths.end());
+      for(std::size_t s = 0; s < 3; ++s)
+        EXPECT_NEAR(lengths[s], expected[s], 1); // lengths of T1 are rounded
+    }
+  }
+}
+
 // ---- Error bounds ----
 
 typedef boost::multiprecision::number<boost::multiprecision::cpp_bin_float<60>> Long_real;

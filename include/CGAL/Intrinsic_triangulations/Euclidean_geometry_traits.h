@@ -110,13 +110,14 @@ private:
   {
     const FT cos_a = a.cosine(u), cos_b = b.cosine(u);
     if(!(cos_a < 0) && !(cos_b < 0))
-      return CGAL::is_zero(cos_a + cos_b) ? ZERO : NEGATIVE;
+      return cos_a + cos_b == FT(0) ? ZERO : NEGATIVE;
     if(!(cos_a > 0) && !(cos_b > 0))
       return POSITIVE;
     const Corner &obtuse = cos_a < 0 ? a : b, &other = cos_a < 0 ? b : a;
     const FT cos_obtuse = cos_a < 0 ? cos_a : cos_b, cos_other = cos_a < 0 ? cos_b : cos_a;
-    return CGAL::sign(cos_obtuse * cos_obtuse * other.squared_sine(-u) -
-                      cos_other * cos_other * obtuse.squared_sine(u));
+    const FT excess = cos_obtuse * cos_obtuse * other.squared_sine(-u) -
+                      cos_other * cos_other * obtuse.squared_sine(u);
+    return excess < 0 ? NEGATIVE : excess > 0 ? POSITIVE : ZERO;
   }
 
 public:

@@ -25,7 +25,8 @@ namespace CGAL::Intrinsic_triangulations {
 /// sum, exactly. Around each of them the faces must turn once.
 ///
 /// A decision remains undecided only if 1024 bits do not distinguish its sign from zero. It must
-/// also involve more than twelve square roots that are independent over the rationals. The
+/// also involve more than twelve square roots that are independent over the rationals. Without
+/// exact traits, it can instead involve a strip of more than about a thousand triangles. The
 /// certificate names the edge or vertex of such a decision, and does not confirm the result.
 ///
 /// Complexity: linear in the edges and crossings, as long as decisions are made in floating point.

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/for_each_in_chunks.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Exact_flipping.h>
+#include <CGAL/Intrinsic_triangulations/internal/flipping/Flipped_lengths.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/reinsert_vertices.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/thin_faces.h>
@@ -198,16 +199,16 @@ bool are_exact_decisions_wanted(const NamedParameters& np)
     CGAL::parameters::get_parameter(np, internal_np::exact_decisions), false);
 }
 
-// Flips with decisions about the surface of T1, with at most `effort` steps on strips of triangles.
-// If this fails, repeats it once with a hundred times as many steps.
+// Flips with decisions about the surface of T1, in two attempts with limited effort. The second one
+// starts from certain lengths.
 template <typename Traits, typename Visitor>
 Flipping_result flip_filtered(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
-                              double effort, Visitor& visitor, Concurrency concurrency)
+                              Flipping_effort effort, Visitor& visitor, Concurrency concurrency)
 {
   typedef Flipping_result::End End;
   Flipping_result result;
-  for(double factor : {1, 100}) {
-    Exact_flipping<Traits> flipping(tri, factor * effort);
+  for(double steps : {effort.first, effort.second}) {
+    Exact_flipping<Traits> flipping(tri, steps, effort.kept_error);
     if(flipping.has_unknown_lengths() &&
        (flipping.has_too_many_crossings() || !flipping.find_lengths()))
       break;
@@ -257,19 +258,34 @@ void restart_from_input(Intrinsic_triangulation<Traits>& tri, Visitor& visitor)
   visitor.before_exact_flips();
 }
 
-// Decides exactly which edges are Delaunay, and restarts from T1 if edges are bent.
+// Decides exactly which edges are Delaunay, and restarts from T1 if edges are bent. If lengths of
+// type `double` bend edges while effort is limited, lengths with more digits follow.
 template <typename Traits, typename Visitor>
 Flipping_result flip_exactly(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
                              Visitor& visitor, Concurrency concurrency)
 {
-  const double no_limit = std::numeric_limits<double>::infinity();
-  Flipping_result result = flip_filtered(tri, limit, no_limit, visitor, concurrency);
-  if(result.end == Flipping_result::End::doubt) {
+  typedef Flipping_result::End End;
+  Flipping_result result;
+  const auto flip = [&](const Flipping_effort& effort) {
+    result += flip_filtered(tri, limit - result.flips, effort, visitor, concurrency);
+  };
+  const auto restart_if_in_doubt = [&](const auto& flip_again) {
+    if(result.end != End::doubt)
+      return;
     restart_from_input(tri, visitor);
     result.is_exact = true;
-    result += flip_filtered(tri, limit - result.flips, no_limit, visitor, concurrency);
-  }
-  check_flip_limit(result.end == Flipping_result::End::limit);
+    flip_again();
+  };
+  flip(exact_effort());
+  restart_if_in_doubt([&] { flip(exact_effort()); });
+  restart_if_in_doubt([&] {
+    Precise_flipping<Traits> precise(tri);
+    result += flip_to_Delaunay(tri.mesh(), precise, limit - result.flips, visitor, concurrency);
+    if(result.is_Delaunay())
+      flip(unlimited_effort());
+  });
+  restart_if_in_doubt([&] { flip(unlimited_effort()); });
+  check_flip_limit(result.end == End::limit);
   return result;
 }
 

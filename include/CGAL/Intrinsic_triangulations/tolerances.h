@@ -117,10 +117,10 @@ constexpr FT region_tolerance()
   return 256 * rounding_unit<FT>();
 }
 
-// Returns the greatest relative error of lengths in `double` that decide flips, if certificates
+// Returns the least relative error of lengths in `double` that decides flips, if certificates
 // follow. A greater error leaves more edges undecided if coordinates have been rounded to few
-// digits. A smaller error needs more strips, and with limited effort, fewer strips can be laid out.
-constexpr double flipping_length_error(bool is_limited) { return is_limited ? 0x1p-30 : 0x1p-34; }
+// digits. A smaller error needs more strips.
+constexpr double flipping_length_error() { return 0x1p-34; }
 
 // Returns the relative error of lengths with more digits, from which scale factors are computed. It
 // is 2^13 roundings of a number of their type.
@@ -217,16 +217,32 @@ constexpr double greatest_time_step_factor() { return 1e12; }
 constexpr int rounds_of_flips() { return 100; }
 constexpr int rounds_before_exact_flips() { return 2; }
 
-// Returns the maximal number of steps on strips of triangles that a refinement may use for certain
-// flips.
-constexpr double refinement_effort() { return 1e9; }
+// Limits the steps on strips of triangles in two attempts at certain flips. Lengths from strips
+// have the relative error `kept_error`. With a greater error, fewer strips are needed.
+struct Flipping_effort
+{
+  double first, second, kept_error;
+};
 
-// Returns the number of steps on strips that flips in the exact metric may use before lengths
-// decide instead.
-constexpr double exact_metric_effort() { return 1e7; }
+// If flips in the exact metric or certain flips of a refinement exceed these numbers of steps,
+// lengths decide instead.
+constexpr Flipping_effort exact_metric_effort() { return {1e7, 1e9, 0x1p-30}; }
+constexpr Flipping_effort refinement_effort() { return {1e9, 1e11, 0x1p-30}; }
+
+// Exact flips take this effort before stored lengths decide, which are then checked.
+constexpr double no_limit = std::numeric_limits<double>::infinity();
+constexpr Flipping_effort exact_effort() { return {2e8, no_limit, certified_length_error()}; }
+constexpr Flipping_effort unlimited_effort()
+{
+  return {no_limit, no_limit, certified_length_error()};
+}
 
 // Returns the maximal number of crossings of all lengths that are recomputed with limited effort.
 constexpr double greatest_number_of_crossings(double edges) { return 1e6 + 100 * edges; }
+
+// Returns the maximal number of crossings of all lengths that are recomputed without this limit,
+// which take a gigabyte.
+constexpr double greatest_number_of_crossings() { return 0x1p28; }
 
 } // namespace internal
 } // namespace CGAL::Intrinsic_triangulations

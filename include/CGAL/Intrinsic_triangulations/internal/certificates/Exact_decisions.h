@@ -25,6 +25,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -64,6 +65,9 @@ public:
   // Up to `few_roots` independent square roots are faster than many digits. `many_roots` is the
   // maximum. Each further root triples the cost.
   static constexpr std::size_t few_roots = 2, many_roots = 12;
+  // Exact numbers of strips with more vectors take seconds. Exact traits take any time.
+  static constexpr std::size_t most_vectors =
+    Is_exact<Traits>::value ? (std::numeric_limits<std::size_t>::max)() : 4000;
 
   using Base::is_input_edge;
   using Base::rounded_angle;
@@ -259,7 +263,7 @@ public:
       sign = sign_by_roots<Exact, Corners>(predicate, m_most_roots);
     if(!is_certain(sign))
       throw Numerical_error("an exact decision involves more than " + std::to_string(m_most_roots) +
-                            " independent square roots");
+                            " independent square roots, or too many triangles");
     return get_certain(sign);
   }
 
@@ -347,9 +351,9 @@ private:
   template <typename Corners, typename Predicate>
   Uncertain<Sign> sign_by_roots_over(const Predicate& predicate, std::size_t maximum)
   {
-    Corners corners(exact_input(m_pair), m_is_flat, maximum);
+    Corners corners(exact_input(m_pair), m_is_flat, maximum, most_vectors);
     const Uncertain<Sign> sign = predicate(development(corners));
-    if(corners.has_too_many_roots())
+    if(corners.is_open())
       return Uncertain<Sign>::indeterminate();
     ++m_count.exact;
     return sign;

@@ -247,9 +247,11 @@ public:
   typedef Root_complex<K> Complex;
   static constexpr bool is_rounded = false;
 
-  // The decision is left open if it involves more than `maximum` independent roots.
-  Exact_corners(const Exact_surface<Number>& input, Flat_edges& is_flat, std::size_t maximum)
-    : m_input(input), m_is_flat(is_flat), m_tower(maximum)
+  // The decision is left open if it involves more independent roots than `most_roots`, or more
+  // vectors than `most_vectors`. The digits of exact numbers increase with each vector.
+  Exact_corners(const Exact_surface<Number>& input, Flat_edges& is_flat, std::size_t most_roots,
+                std::size_t most_vectors)
+    : m_input(input), m_is_flat(is_flat), m_tower(most_roots), m_most_vectors(most_vectors)
   {}
 
   Complex number(int x) const { return real(K(x)); }
@@ -260,7 +262,10 @@ public:
     return real(K(x.exact()));
   }
 
-  Complex scaled(Complex z, Halfedge_index h) { return z.is_zero() ? z : std::move(z) * scale(h); }
+  Complex scaled(Complex z, Halfedge_index h)
+  {
+    return m_is_open ? number(0) : z.is_zero() ? z : std::move(z) * scale(h);
+  }
 
   // Returns numbers that are not negative, which need not be divided by their sum.
   std::array<Complex, 3> weights(const std::array<double, 3>& b) const
@@ -278,7 +283,8 @@ public:
   // face.
   Complex from_source(Halfedge_index h, Halfedge_index other)
   {
-    if(other == h)
+    m_is_open = m_is_open || ++m_number_of_vectors > m_most_vectors;
+    if(other == h || m_is_open)
       return number(0);
     if(other == m_input.mesh().next(h))
       return real(scale(h));
@@ -293,8 +299,8 @@ public:
     return result;
   }
 
-  // Returns whether there were more roots than are allowed.
-  bool has_too_many_roots() const { return m_has_too_many_roots; }
+  // Returns whether the decision is left open. Then all vectors vanish.
+  bool is_open() const { return m_is_open; }
 
 protected:
   typedef typename Complex::Element Element;
@@ -377,7 +383,7 @@ private:
   void set_root(const K& square, Face& f)
   {
     const auto multiple = m_tower.root(square);
-    m_has_too_many_roots = m_has_too_many_roots || !multiple;
+    m_is_open = m_is_open || !multiple;
     f.root = multiple ? multiple->root : Element{K(0)};
     f.factor = multiple ? multiple->factor : K(1);
   }
@@ -385,7 +391,8 @@ private:
   Flat_edges& m_is_flat;
   Root_tower<K> m_tower;
   std::unordered_map<Face_index, Face> m_face;
-  bool m_has_too_many_roots = false;
+  bool m_is_open = false;
+  std::size_t m_most_vectors, m_number_of_vectors = 0;
 };
 
 // Computes corners exactly, in a field, and divides them by the squared length of their side.

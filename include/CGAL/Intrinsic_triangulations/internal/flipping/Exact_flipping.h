@@ -100,15 +100,18 @@ class Exact_flipping
 
 public:
   // Marks lengths of edges that are not in T1 as unknown, unless `Traits` is exact. `effort` limits
-  // the number of steps in strips. Without a limit no length becomes unknown.
+  // the number of steps in strips. Without a limit no length becomes unknown. Lengths from strips
+  // have a relative error of at most `kept_error`.
   explicit Exact_flipping(Triangulation& tri,
-                          double effort = std::numeric_limits<double>::infinity())
+                          double effort = std::numeric_limits<double>::infinity(),
+                          double kept_error = certified_length_error())
     : m_tri(tri),
       m_mesh(tri.mesh()),
       m_courses(tri),
       m_decisions(tri, m_courses),
       m_error(m_mesh.num_edges(), input_error),
-      m_effort(effort)
+      m_effort(effort),
+      m_kept_error(Is_exact<Traits>::value ? certified_length_error() : kept_error)
   {
     bool are_shared = tri.number_of_inserted_vertices() == 0;
     for(Delta_complex::size_type i = 0; i < m_error.size(); ++i)
@@ -163,7 +166,7 @@ public:
     turn(h, [&] {
       if(m_tri.coordinates().is_shared(m_mesh.edge(h)))
         flipped = m_decisions.bounded_length(h);
-      else if(!(flipped.error <= kept_error()))
+      else if(!(flipped.error <= m_kept_error))
         flipped = length_in_strip(h, flipped.length);
       set_error(m_mesh.edge(h), static_cast<float>(flipped.error));
       return flipped.length;
@@ -200,10 +203,10 @@ public:
   bool has_too_many_crossings() const
   {
     double crossings = 0;
-    if(is_limited())
-      for(Edge_index e : m_mesh.edges())
-        crossings += count(e);
-    return crossings > greatest_number_of_crossings(m_mesh.number_of_edges());
+    for(Edge_index e : m_mesh.edges())
+      crossings += count(e);
+    return crossings > (is_limited() ? greatest_number_of_crossings(m_mesh.number_of_edges())
+                                     : greatest_number_of_crossings());
   }
 
   // Computes the unknown lengths, and returns whether their edges are straight. If an edge is not
@@ -218,7 +221,7 @@ public:
       return false;
     for(const auto& [e, length] : found) {
       m_tri.m_length[e] = length;
-      m_error[e.idx()] = static_cast<float>(kept_error());
+      m_error[e.idx()] = static_cast<float>(m_kept_error);
     }
     m_has_unknown_lengths = false;
     return true;
@@ -268,10 +271,9 @@ private:
   // Returns the greatest relative error of lengths that decide.
   double tolerance() const
   {
-    return Is_exact<Traits>::value ? certified_length_error() : flipping_length_error(is_limited());
+    return Is_exact<Traits>::value ? certified_length_error()
+                                   : (std::max)(m_kept_error, flipping_length_error());
   }
-
-  double kept_error() const { return is_limited() ? tolerance() : certified_length_error(); }
 
   // An edge with the least error is an edge of T1 or a straight line in space.
   static constexpr float input_error = static_cast<float>(input_length_error()),
@@ -317,7 +319,10 @@ private:
   // crossing is found by following an edge of T1 over others.
   bool can_afford(Edge_index e)
   {
+    const bool could_afford = m_effort >= 0;
     m_effort -= count(e) * count(e);
+    if(could_afford && m_effort < 0)
+      m_courses.discard();
     return m_effort >= 0;
   }
 
@@ -387,6 +392,7 @@ private:
   Decisions m_decisions;
   std::vector<float> m_error; // relative error bounds of the lengths
   double m_effort;
+  double m_kept_error;
   bool m_has_unknown_lengths = false;
   std::vector<Edge_index> m_doubtful; // edges that stored lengths may not decide about rightly
   std::vector<char> m_is_sharp;       // whose lengths have been computed anew for these

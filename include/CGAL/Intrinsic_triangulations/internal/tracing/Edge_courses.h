@@ -93,6 +93,13 @@ public:
       m_most_steps += static_cast<double>(count(h));
   }
 
+  // Discards stored courses, so that flips take constant time.
+  void discard()
+  {
+    m_is_stored = false;
+    m_exits = {};
+  }
+
   // Stores the position of the course of an edge.
   struct Storage
   {

@@ -10,9 +10,8 @@
 #include <CGAL/Intrinsic_triangulations/Decimal_float.h>
 #include <CGAL/Intrinsic_triangulations/Euclidean_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/Precise_lengths.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/flipping/Exact_flipping.h>
+#include <CGAL/Intrinsic_triangulations/internal/flipping/Flipped_lengths.h>
 #include <CGAL/Intrinsic_triangulations/internal/weights/Supporting_triangles.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
@@ -89,29 +88,15 @@ private:
 
 // Provides the lengths of T2 on the exact surface of T1, with 155 decimal digits.
 template <typename Traits>
-class Many_digits_lengths
+class Many_digits_lengths : public Flipped_lengths<Traits, Decimal_float<155>>
 {
-  typedef Intrinsic_triangulation<Traits> Triangulation;
+  typedef Flipped_lengths<Traits, Decimal_float<155>> Base;
 
 public:
-  typedef Decimal_float<155> FT;
+  typedef typename Base::FT FT;
 
-  // Recomputes the lengths of T2, whose edges are straight.
-  explicit Many_digits_lengths(Triangulation& tri) : m_tri(tri), m_flipping(tri)
-  {
-    m_flipping.recompute_lengths();
-    Precise_lengths<Traits, FT> lengths(tri);
-    m_length.resize(tri.mesh().num_edges());
-    for(Edge_index e : tri.mesh().edges())
-      m_length[e.idx()] = lengths(tri.mesh().halfedge(e));
-  }
+  using Base::Base;
 
-  const Triangulation& triangulation() const { return m_tri; }
-  auto length_map() const
-  {
-    return boost::make_function_property_map<Edge_index>(
-      [this](Edge_index e) { return m_length[e.idx()]; });
-  }
   // Flips keep more digits than this error. Weights that depend on each other converge linearly to
   // this accuracy.
   static FT error() { return FT(std::ldexp(1., -128)); }
@@ -120,27 +105,8 @@ public:
 
   bool is_flippable(Halfedge_index h) const
   {
-    return m_flipping.can_be_turned(h) &&
-           is_certainly_convex(diamond(length_map(), h, m_tri.mesh()), error());
+    return Base::can_be_turned(h) && is_certainly_convex(Base::diamond(h), error());
   }
-
-  bool flip(Halfedge_index h)
-  {
-    const FT length = typename Euclidean_geometry_traits<FT>::Compute_flipped_length()(
-      diamond(length_map(), h, m_tri.mesh()));
-    const bool result = m_flipping.flip(h);
-    if(result)
-      m_length[m_tri.mesh().edge(h).idx()] = length;
-    return result;
-  }
-
-  // Rounds the lengths, and stores them.
-  void store() { m_flipping.recompute_lengths(rounding_unit<double>() / 2); }
-
-private:
-  Triangulation& m_tri;
-  Exact_flipping<Traits> m_flipping;
-  std::vector<FT> m_length;
 };
 
 // Decides by lengths and weights. An edge that is not weighted Delaunay and cannot be flipped waits
