@@ -524,8 +524,8 @@ Triangulation wound_torus(std::size_t m, std::size_t n, int twists)
 {
   const Mesh mesh = embedded_torus(m, n);
   const auto steps = [](std::size_t from, std::size_t to, std::size_t size) {
-    const std::size_t steps = (to + size - from) % size;
-    return steps > 1 ? steps - static_cast<double>(size) : static_cast<double>(steps);
+    const auto steps = static_cast<double>((to + size - from) % size);
+    return steps > 1 ? steps - static_cast<double>(size) : steps;
   };
   std::vector<double> length;
   for(Edge_index e : mesh.edges()) {
